@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 namespace pastoso::commands {
 namespace {
@@ -135,13 +136,14 @@ constexpr Name kNames[] = {
     {Command::EditSettings, "edit_settings"},
     {Command::PenSettings, "pen_settings"},
     {Command::MilkTea, "milk_tea"},
+    {Command::TeaPour, "tea_pour"},
     {Command::TeaNewGlass, "tea_new_glass"},
     {Command::TeaOpenScene, "tea_open_scene"},
     {Command::TeaSaveScene, "tea_save_scene"},
-    {Command::TeaExportMesh, "tea_export_mesh"},
+    {Command::LiquidExportMesh, "liquid_export_mesh"},
     {Command::TeaRender, "tea_render"},
-    {Command::TeaPause, "tea_pause"},
-    {Command::TeaFullSpeed, "tea_full_speed"},
+    {Command::LiquidPause, "liquid_pause"},
+    {Command::LiquidFullSpeed, "liquid_full_speed"},
     {Command::TeaForce, "tea_force"},
     {Command::TeaRecentre, "tea_recentre"},
     {Command::TeaReverse, "tea_reverse"},
@@ -149,7 +151,7 @@ constexpr Name kNames[] = {
     {Command::TeaAxisRight, "tea_axis_right"},
     {Command::TeaAxisAway, "tea_axis_away"},
     {Command::TeaAxisNear, "tea_axis_near"},
-    {Command::TeaFrontView, "tea_front_view"},
+    {Command::LiquidFrontView, "liquid_front_view"},
     {Command::GlassTank, "glass_tank"},
     {Command::TankFalling, "tank_falling"},
     {Command::TankTwoLiquids, "tank_two_liquids"},
@@ -169,6 +171,19 @@ constexpr Name kNames[] = {
     {Command::TankRecordSurfaces, "tank_record_surfaces"},
 };
 
+/// Files of before may have these; the keys in them go on giving the same.
+constexpr Name kFormerNames[] = {
+    {Command::LiquidExportMesh, "tea_export_mesh"},
+    {Command::LiquidPause, "tea_pause"},
+    {Command::LiquidFullSpeed, "tea_full_speed"},
+    {Command::LiquidFrontView, "tea_front_view"},
+};
+
+std::optional<Command> command_in(std::span<const Name> names, std::string_view text) {
+    const auto found = std::ranges::find(names, text, &Name::text);
+    return found != names.end() ? std::optional(found->command) : std::nullopt;
+}
+
 }  // namespace
 
 std::string_view name_of(Command command) {
@@ -179,9 +194,8 @@ std::string_view name_of(Command command) {
 }
 
 std::optional<Command> command_named(std::string_view name) {
-    const auto* found = std::find_if(std::begin(kNames), std::end(kNames),
-                                     [&](const Name& known) { return known.text == name; });
-    return found != std::end(kNames) ? std::optional(found->command) : std::nullopt;
+    const std::optional<Command> command = command_in(kNames, name);
+    return command ? command : command_in(kFormerNames, name);
 }
 
 }  // namespace pastoso::commands

@@ -10,7 +10,7 @@ namespace pastoso::commands {
 
 std::string_view name_of(Command command);
 
-/// None where no command has that name, as one of a later version may not.
+/// None where no command has that name or ever had, as one of a later version may not.
 std::optional<Command> command_named(std::string_view name);
 
 }  // namespace pastoso::commands

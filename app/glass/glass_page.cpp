@@ -4,8 +4,10 @@
 #include "panels/parts/section.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QAction>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -13,18 +15,30 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace pastoso::glass {
 
+namespace {
+
+constexpr int kNoteRoom_px = 60;  ///< at the upper edge of the view, where the glass does not reach
+
+}  // namespace
+
 GlassPage::GlassPage(GlassView* view, QWidget* panel, const GlassActions& actions,
                      const TimelineWords& words, QWidget* parent)
-    : QWidget(parent), busy_(words.busy) {
+    : QWidget(parent), note_(new QLabel), busy_(words.busy) {
     setObjectName(words.name + QStringLiteral("_page"));
-    auto* left = new QVBoxLayout;
+    note_->setObjectName(QStringLiteral("canvas_note"));
+    note_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    note_->setAlignment(Qt::AlignCenter);
+    note_->hide();
+    auto* left = new QGridLayout;
     left->setSpacing(0);
-    left->addWidget(view, 1);
-    left->addWidget(timeline(actions, words));
+    left->addWidget(view, 0, 0, 2, 1);
+    left->addWidget(note_, 0, 0, Qt::AlignCenter);
+    left->addWidget(timeline(actions, words), 2, 0);
+    left->setRowMinimumHeight(0, kNoteRoom_px);
+    left->setRowStretch(1, 1);
     auto* scrolled = new QScrollArea;
     scrolled->setFrameShape(QFrame::NoFrame);
     scrolled->setFocusPolicy(Qt::NoFocus);
@@ -71,7 +85,8 @@ QWidget* GlassPage::timeline(const GlassActions& actions, const TimelineWords& w
     return bar;
 }
 
-void GlassPage::show_time(const session::LiquidStatus& status, const QString& readings, int decimals) {
+void GlassPage::show_time(const session::LiquidStatus& status, const QString& amount, int decimals,
+                          const QString& note) {
     const QSignalBlocker quiet(time_);
     time_->setRange(0, std::max(status.last_step, 1));
     time_->setPageStep(std::max(1, status.last_step / 20));
@@ -81,7 +96,13 @@ void GlassPage::show_time(const session::LiquidStatus& status, const QString& re
                                              : tr("%1 of %2 s")
                                                    .arg(status.time_s, 0, 'f', decimals)
                                                    .arg(status.last_s, 0, 'f', decimals));
-    readings_->setText(readings);
+    readings_->setText(status.paused ? tr("%1   paused").arg(amount)
+                       : note.isEmpty()
+                           ? tr("%1   %2 steps/s").arg(amount).arg(std::lround(status.steps_per_s))
+                           : amount);
+    const QString over = status.paused ? tr("Paused") : note;
+    note_->setText(over);
+    note_->setVisible(!over.isEmpty());
 }
 
 }  // namespace pastoso::glass

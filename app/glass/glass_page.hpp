@@ -36,14 +36,18 @@ class GlassPage : public QWidget {
     void step_wanted(int step);
 
   protected:
-    /// The timeline, and beside it what is read of the liquid. Times have that many decimals.
-    void show_time(const session::LiquidStatus& status, const QString& readings, int decimals);
+    /// The timeline, and beside it how much liquid there is and how fast it goes. Times have that many
+    /// decimals. Over the view stands that it is paused, or else `note`: what to do with a liquid at
+    /// rest.
+    void show_time(const session::LiquidStatus& status, const QString& amount, int decimals,
+                   const QString& note = {});
 
   private:
     QWidget* timeline(const GlassActions& actions, const TimelineWords& words);
 
     QSlider* time_ = nullptr;
     QLabel *time_words_ = nullptr, *readings_ = nullptr;
+    QLabel* note_;  ///< over the view
     QString busy_;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 /// What a frame may take while something moves, and while a picture at rest gets finer.
 constexpr double kDraft_s = 0.035, kRefinement_s = 0.045;
-constexpr int kCoarsest = 3;  ///< device pixels a side of a pixel of a draft
+constexpr int kCoarsest = 2;  ///< device pixels a side of a pixel of a draft
 constexpr int kPasses = 8;    ///< of a picture at rest
 constexpr int kHurriedPasses = 3;
 constexpr int kRest_ms = 140;

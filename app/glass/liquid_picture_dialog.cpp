@@ -23,6 +23,10 @@ namespace {
 
 constexpr int kSmallest_px = 16, kLargest_px = 8192;
 constexpr int kMostSamples = 4096, kFirstSamples = 48;
+/// From so many on a picture whose noise was taken out hardly changes any more: 200 x 200 pixels of the
+/// usual glass at 1.8 s differ from those of 512 samples by 6.2 % of white (RMS) at 2 samples, 2.9 at 8,
+/// 2.4 at 16, 2.0 at 32 and 1.8 at 48.
+constexpr int kSamplesWithoutNoise = 16;
 
 QSpinBox* number(const char* name, int least, int most, int value, const QString& hint) {
     auto* box = new QSpinBox;
@@ -150,8 +154,12 @@ void LiquidPictureDialog::show_progress() {
         if (!progress.error.empty())
             progress_->setText(QString::fromStdString(progress.error));
         else if (progress.finished)
-            progress_->setText(tr("%n sample(s) in %1 s, without noise", nullptr, progress.samples)
-                                   .arg(progress.seconds, 0, 'f', 1));
+            progress_->setText(
+                (progress.samples >= kSamplesWithoutNoise
+                     ? tr("%n sample(s) in %1 s, without noise", nullptr, progress.samples)
+                     : tr("%n sample(s) in %1 s: too few to take all noise out", nullptr,
+                          progress.samples))
+                    .arg(progress.seconds, 0, 'f', 1));
         else if (progress.samples == 0)
             progress_->setText(tr("Finding the surface..."));
         else

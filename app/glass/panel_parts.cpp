@@ -1,6 +1,8 @@
 #include "glass/panel_parts.hpp"
 
 #include "glass/glass_chooser.hpp"
+#include "panels/parts/feel_row.hpp"
+#include "panels/parts/fold.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/value_row.hpp"
 
@@ -14,6 +16,8 @@ namespace pastoso::glass {
 namespace {
 
 constexpr const char* kBack = QT_TR_NOOP("Back to the painting");
+constexpr const char* kNumbers = QT_TR_NOOP("Numbers");
+constexpr const char* kNumbersHint = QT_TR_NOOP("Each number of the liquid");
 constexpr const char* kBackHint = QT_TR_NOOP("The glass waits as it is, and so did the painting");
 
 /// The button that brings the painting back.
@@ -71,6 +75,15 @@ ValueRow* add_number(QGridLayout* grid, const NumberWords& number, const char* n
                          words_of(number.unit),
                          number.logarithmic,
                          {{number.usual_least, number.usual_most}}});
+}
+
+FeelRow* add_feel(QGridLayout* grid, const FeelWords& feel) {
+    return new FeelRow(grid, QString::fromLatin1(feel.name), words_of(feel.from), words_of(feel.to),
+                       words_of(feel.hint));
+}
+
+Fold* new_numbers_fold() {
+    return new Fold(QStringLiteral("liquid_numbers"), words_of(kNumbers), words_of(kNumbersHint));
 }
 
 QString words_of(const char* text) {

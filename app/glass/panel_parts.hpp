@@ -9,11 +9,15 @@ class QVBoxLayout;
 class QWidget;
 
 namespace pastoso::panels {
+class FeelRow;
+class Fold;
 class ValueRow;
-}
+}  // namespace pastoso::panels
 
 namespace pastoso::glass {
 
+using panels::FeelRow;
+using panels::Fold;
 using panels::ValueRow;
 
 class GlassChooser;
@@ -50,6 +54,19 @@ struct NumberWords {
 /// A row for it at the end of a grid; name and limits, in SI, are those that it has in files.
 ValueRow* add_number(QGridLayout* grid, const NumberWords& number, const char* name, double least,
                      double most);
+
+/// A slider in words, as the panel shows it.
+struct FeelWords {
+    const char* name;  ///< of its widget
+    const char* from;
+    const char* to;
+    const char* hint;
+};
+
+FeelRow* add_feel(QGridLayout* grid, const FeelWords& feel);
+
+/// Where all numbers are that one can do without.
+Fold* new_numbers_fold();
 
 /// Words of a table in the language of the window.
 QString words_of(const char* text);

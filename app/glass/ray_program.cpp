@@ -1,7 +1,7 @@
 #include "glass/ray_program.hpp"
 
 #include "core/error.hpp"
-#include "glass/tea_shaders.hpp"
+#include "glass/ray_shaders.hpp"
 
 #include <cmath>
 
@@ -40,8 +40,8 @@ std::unique_ptr<QOpenGLShaderProgram> shader_program(const QByteArray& vertex,
                            made->log().simplified().toStdString());
 }
 
-std::unique_ptr<QOpenGLShaderProgram> ray_program(const char* words) {
-    return shader_program(kGlassVertexShader, QByteArray(kLightShader) + words + kMainShader);
+std::unique_ptr<QOpenGLShaderProgram> ray_program(const QByteArray& words) {
+    return shader_program(kRayVertexShader, QByteArray(kLightShader) + words + kMainShader);
 }
 
 void set_rays(QOpenGLShaderProgram& program, const GlassCamera& camera, QSize size, int pass) {
@@ -79,6 +79,14 @@ Volume volume_of(const grid::BoxField& field) {
     return {field.row(0, 0), shape.nx, shape.ny, shape.nz, shape.stride_y(), shape.stride_z()};
 }
 
+void set_interpolation(QOpenGLExtraFunctions& gl) {
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        gl.glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
 void upload_volume(QOpenGLExtraFunctions& gl, GLuint texture, const Volume& volume, bool anew) {
     gl.glBindTexture(GL_TEXTURE_3D, texture);
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(volume.stride_y));
@@ -86,11 +94,7 @@ void upload_volume(QOpenGLExtraFunctions& gl, GLuint texture, const Volume& volu
     if (anew) {
         gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_R16F, volume.nx, volume.ny, volume.nz, 0, GL_RED, GL_FLOAT,
                         volume.values);
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            gl.glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
-        for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-            gl.glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
-        gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+        set_interpolation(gl);
     } else {
         gl.glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, volume.nx, volume.ny, volume.nz, GL_RED, GL_FLOAT,
                            volume.values);

@@ -27,7 +27,7 @@ std::unique_ptr<QOpenGLShaderProgram> shader_program(const QByteArray& vertex,
                                                      const QByteArray& fragment);
 
 /// `words` between those that all such programs share (kLightShader, kMainShader).
-std::unique_ptr<QOpenGLShaderProgram> ray_program(const char* words);
+std::unique_ptr<QOpenGLShaderProgram> ray_program(const QByteArray& words);
 
 /// The camera of the `pass`-th picture of several, whose samples lie elsewhere within a pixel.
 void set_rays(QOpenGLShaderProgram& program, const GlassCamera& camera, QSize size, int pass);
@@ -36,6 +36,9 @@ void set_rays(QOpenGLShaderProgram& program, const GlassCamera& camera, QSize si
 /// program and its textures are bound; `empty_array` has no attributes.
 void draw_rays(QOpenGLExtraFunctions& gl, QOpenGLFramebufferObject& target, const QRect& part, int pass,
                GLuint empty_array);
+
+/// Of the bound volume: linear between its points, and beyond them as at its edge.
+void set_interpolation(QOpenGLExtraFunctions& gl);
 
 /// Numbers at the points of a box as a texture of halves, x fastest, with rows in memory that are
 /// `stride_y` long. Allocates it anew when `anew`.

@@ -1,7 +1,5 @@
 #include "glass/tank_page.hpp"
 
-#include <cmath>
-
 namespace pastoso::glass {
 
 TankPage::TankPage(const TankActions& actions, QWidget* parent)
@@ -18,11 +16,7 @@ TankPage::TankPage(TankView* view, TankPanel* panel, const TankActions& actions,
       panel_(panel) {}
 
 void TankPage::show_status(const session::TankStatus& status) {
-    show_time(status,
-              tr("%1 l   %2 steps/s")
-                  .arg(1e3 * status.volume_m3, 0, 'f', 2)
-                  .arg(std::lround(status.steps_per_s)),
-              2);
+    show_time(status, tr("%1 l").arg(1e3 * status.volume_m3, 0, 'f', 2), 2);
 }
 
 }  // namespace pastoso::glass

@@ -1,11 +1,15 @@
 #include "glass/tank_panel.hpp"
 
 #include "glass/glass_chooser.hpp"
+#include "panels/parts/feel_row.hpp"
+#include "panels/parts/fold.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/value_row.hpp"
+#include "tools/feel.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QAction>
 #include <QGridLayout>
@@ -42,6 +46,15 @@ constexpr TankRow kRows[] = {
      1.0, 6, 1e-5, 1e-2, true},
 };
 
+// From water to honey; and from a liquid that loses its swirls at once to one that keeps all of them.
+constexpr std::pair<tools::FeelNumber<S>, FeelWords> kFeels[] = {
+    {{&S::viscosity_m2_s, 1e-6, 5e-3, tools::FeelScale::Logarithmic},
+     {"thin_to_thick", QT_TR_NOOP("thin as water"), QT_TR_NOOP("thick as honey"),
+      QT_TR_NOOP("Its viscosity")}},
+    {{&S::flip_share, 0.0, 1.0, tools::FeelScale::Linear},
+     {"calm_to_lively", QT_TR_NOOP("calm"), QT_TR_NOOP("lively"),
+      QT_TR_NOOP("How much of its own movement each drop keeps")}}};
+
 constexpr double kBallShare = 0.11;  ///< of the shortest side: the radius of a usual ball
 
 const tank::TankNumber& number_of(const TankRow& row) {
@@ -55,12 +68,15 @@ const tank::TankNumber& number_of(const TankRow& row) {
 TankPanel::TankPanel(const TankActions& actions, QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("tank_panel"));
     QVBoxLayout* column = column_of(this);
+    Fold* fold = new_numbers_fold();
     add_tank(column, actions);
     add_balls(column, actions);
-    add_wind(column, actions);
+    add_wind(column, fold->column(), actions);
+    add_feels(column);
     add_looks(column, actions);
     add_steps(column, actions);
-    add_numbers(column);
+    add_numbers(fold->column());
+    column->addWidget(fold);
     column->addStretch(1);
     show_scene({});
     show_wind({});
@@ -91,7 +107,7 @@ void TankPanel::add_balls(QVBoxLayout* column, const TankActions& actions) {
     });
 }
 
-void TankPanel::add_wind(QVBoxLayout* column, const TankActions& actions) {
+void TankPanel::add_wind(QVBoxLayout* column, QVBoxLayout* numbers, const TankActions& actions) {
     QVBoxLayout* section = section_under(column, tr("Wind"));
     section->addWidget(panels::button_row({actions.wind}));
     section->addWidget(
@@ -102,7 +118,7 @@ void TankPanel::add_wind(QVBoxLayout* column, const TankActions& actions) {
     direction_ = new ValueRow(grid, QStringLiteral("wind_direction"), tr("Blows to"),
                               tr("0 to the right along the front, 90 away from it"),
                               {-360.0, 360.0, 0, tr("°"), false, {{-180.0, 180.0}}});
-    drag_ = new ValueRow(grid, QStringLiteral("wind_drag"), tr("Drags"),
+    drag_ = new ValueRow(rows_under(numbers), QStringLiteral("wind_drag"), tr("Drags"),
                          tr("How firmly it takes the liquid's surface along"),
                          {0.0, 1e4, 1, tr(" /s"), false, {{0.0, 50.0}}});
     const auto take = [this](ValueRow* row, double session::TankWind::*number) {
@@ -138,24 +154,50 @@ void TankPanel::show_recorded(const QString& words) {
     recorded_->setVisible(!words.isEmpty());
 }
 
-void TankPanel::add_numbers(QVBoxLayout* column) {
+void TankPanel::add_feels(QVBoxLayout* column) {
     QGridLayout* grid = rows_under(section_under(column, tr("Liquid")));
+    for (const auto& [number, words] : kFeels) {
+        FeelRow* row = add_feel(grid, words);
+        connect(row, &FeelRow::chosen, this, [this, &number](double place) {
+            tank::TankScene scene = scene_;
+            scene.*number.member =
+                tools::feel_moved(scene, number, tools::feel_place(scene, {&number, 1}), place);
+            change(scene);
+        });
+        feels_.push_back(row);
+    }
+}
+
+void TankPanel::add_numbers(QVBoxLayout* column) {
+    QGridLayout* grid = rows_under(column);
     for (const TankRow& row : kRows) {
         const tank::TankNumber& number = number_of(row);
         ValueRow* shown = add_number(grid, row.shown, number.key, number.least, number.most);
         connect(shown, &ValueRow::chosen, this, [this, &row](double value) {
-            scene_.*row.value = value / row.shown.scale;
-            Q_EMIT numbers_changed(scene_);
+            tank::TankScene scene = scene_;
+            scene.*row.value = value / row.shown.scale;
+            change(scene);
         });
         shown_.push_back(shown);
     }
 }
 
-void TankPanel::show_scene(const tank::TankScene& scene) {
-    const bool other_size = scene.size_m() != scene_.size_m() || ball_.radius_m <= 0.0F;
+void TankPanel::change(const tank::TankScene& scene) {
+    show_numbers(scene);
+    Q_EMIT numbers_changed(scene_);
+}
+
+void TankPanel::show_numbers(const tank::TankScene& scene) {
     scene_ = scene;
+    for (std::size_t i = 0; i < feels_.size(); ++i)
+        feels_[i]->show_place(tools::feel_place(scene, {&kFeels[i].first, 1}));
     for (std::size_t i = 0; i < shown_.size(); ++i)
         shown_[i]->show_value(kRows[i].shown.scale * scene.*kRows[i].value);
+}
+
+void TankPanel::show_scene(const tank::TankScene& scene) {
+    const bool other_size = scene.size_m() != scene_.size_m() || ball_.radius_m <= 0.0F;
+    show_numbers(scene);
     if (other_size) {
         const glm::vec3 size_m = scene.size_m();
         ball_.radius_m = static_cast<float>(kBallShare) * std::min({size_m.x, size_m.y, size_m.z});

@@ -1,4 +1,5 @@
-// Beside the tank: what is done with it, the ball that falls, the wind, and its numbers.
+// Beside the tank: what is done with it, the ball that falls, the wind, the liquid in words, and all
+// numbers below.
 #pragma once
 
 #include "glass/panel_parts.hpp"
@@ -49,10 +50,13 @@ class TankPanel : public QWidget {
   private:
     void add_tank(QVBoxLayout* column, const TankActions& actions);
     void add_balls(QVBoxLayout* column, const TankActions& actions);
-    void add_wind(QVBoxLayout* column, const TankActions& actions);
+    void add_wind(QVBoxLayout* column, QVBoxLayout* numbers, const TankActions& actions);
     void add_looks(QVBoxLayout* column, const TankActions& actions);
     void add_steps(QVBoxLayout* column, const TankActions& actions);
+    void add_feels(QVBoxLayout* column);
     void add_numbers(QVBoxLayout* column);
+    void change(const tank::TankScene& scene);
+    void show_numbers(const tank::TankScene& scene);
 
     tank::TankScene scene_;
     session::TankWind wind_;
@@ -61,6 +65,7 @@ class TankPanel : public QWidget {
     ValueRow *radius_ = nullptr, *milk_ = nullptr;
     QLabel* recorded_ = nullptr;
     ValueRow *speed_ = nullptr, *direction_ = nullptr, *drag_ = nullptr;
+    std::vector<FeelRow*> feels_;
     std::vector<ValueRow*> shown_;
 };
 

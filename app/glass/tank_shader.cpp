@@ -14,7 +14,7 @@ uniform bool has_milk, has_solids;
 uniform sampler3D level, solids, milk_share;
 
 const float FAR = 1e9;
-const int OUTSIDE = 0, GLASS = 1, ROOM = 2;
+const int GLASS = 1, ROOM = 2;
 const float GLASS_IOR = 1.5, LIQUID_IOR = 1.335;
 const vec3 SOLID = vec3(0.70, 0.32, 0.20);  // as trace::Optics
 
@@ -114,6 +114,7 @@ Meeting march(vec3 from, vec3 way, float most, bool wet, vec3 from_normal, float
               inout vec3 light) {
     float side = wet ? -1.0 : 1.0;
     float at = 0.12 * cell_m, before = 0.0;
+    bool met = false, solid = false;
     bool settled = false;  // the normal is smoother than the surface: a bent ray may begin just beyond it
     vec3 lit = milk_light(from_normal);
     for (int i = 0; i < most_steps && at < most; ++i) {
@@ -121,21 +122,9 @@ Meeting march(vec3 from, vec3 way, float most, bool wet, vec3 from_normal, float
         float to_level = side * level_at(here), to_solid = solid_at(here);
         settled = settled || to_level > 0.0 || at > 0.8 * cell_m;
         if (!settled) to_level = 0.0;
-        if (to_level < 0.0 || to_solid < 0.0) {
-            float low = before, high = at;
-            bool solid = to_solid < 0.0;
-            for (int k = 0; k < 5; ++k) {
-                float middle = 0.5 * (low + high);
-                vec3 there = from + way * middle;
-                bool beyond = solid ? solid_at(there) < 0.0 : side * level_at(there) < 0.0;
-                if (beyond) high = middle; else low = middle;
-            }
-            at = 0.5 * (low + high);
-            here = from + way * at;
-            vec3 normal = solid ? solid_normal(here) : level_normal(here);
-            if (dot(normal, way) > 0.0) normal = -normal;
-            return Meeting(at, normal, solid ? 2 : 1);
-        }
+        solid = to_solid < 0.0;
+        met = solid || to_level < 0.0;
+        if (met) break;
         float next = at + max(0.9 * min(to_level, to_solid), (0.30 + 0.10 * grain_here) * cell_m);
         if (wet && has_milk) next = min(next, at + 1.5 * cell_m);
         next = min(next, most);
@@ -144,13 +133,25 @@ Meeting march(vec3 from, vec3 way, float most, bool wet, vec3 from_normal, float
             vec3 left = exp(-(liquid_per_m + MILK_PER_M * milk) * (next - before));
             if (milk > 2e-5) light += weight * (1.0 - left) * cloud(milk) * lit * MILK;
             weight *= left;
-            if (max(weight.r, max(weight.g, weight.b)) < 0.004) return Meeting(at, -way, 0);
+            if (is_dark(weight)) break;
         }
         before = next;
         at = next;
         if (next >= most) break;
     }
-    return Meeting(most, vec3(0.0), 0);
+    if (!met) return Meeting(most, vec3(0.0), 0);
+    float low = before, high = at;
+    for (int k = 0; k < 5; ++k) {
+        float middle = 0.5 * (low + high);
+        vec3 there = from + way * middle;
+        bool beyond = solid ? solid_at(there) < 0.0 : side * level_at(there) < 0.0;
+        if (beyond) high = middle; else low = middle;
+    }
+    at = 0.5 * (low + high);
+    vec3 there = from + way * at;
+    vec3 normal = solid ? solid_normal(there) : level_normal(there);
+    if (dot(normal, way) > 0.0) normal = -normal;
+    return Meeting(at, normal, solid ? 2 : 1);
 }
 
 /// The ray goes where most of its light goes; true where that is through the surface. What is given back
@@ -173,17 +174,19 @@ bool bend(inout vec3 way, vec3 normal, float here, float there, bool shines, ino
 vec3 trace(vec3 from, vec3 way, float grain_here) {
     vec3 light = vec3(0.0), weight = vec3(1.0), normal, other;
     vec3 low = -vec3(wall_m), high = vec3(size_m.xy + wall_m, size_m.z), up = vec3(0.0, 0.0, 1.0);
-    vec2 whole = slab(from, way, low, high, normal, other);
-    if (whole.x > whole.y || whole.x < 0.0) return surroundings(from, way);
-    from += way * whole.x;
-    int region = GLASS;
+    int end = NOWHERE, region = GLASS;
     bool wet = false;
-    vec2 inside = abs(from.xy - 0.5 * size_m.xy) - 0.5 * size_m.xy;
-    if (normal.z > 0.5 && max(inside.x, inside.y) < 0.0) region = ROOM;
-    else if (!bend(way, normal, 1.0, GLASS_IOR, true, weight, light)) return surroundings(from, way);
-    normal = up;
-    for (int event = 0; event < 12; ++event) {
-        if (max(weight.r, max(weight.g, weight.b)) < 0.004) return light;
+    vec2 whole = slab(from, way, low, high, normal, other);
+    if (whole.x > whole.y || whole.x < 0.0) {
+        end = AROUND;
+    } else {
+        from += way * whole.x;
+        vec2 inside = abs(from.xy - 0.5 * size_m.xy) - 0.5 * size_m.xy;
+        if (normal.z > 0.5 && max(inside.x, inside.y) < 0.0) region = ROOM;
+        else if (!bend(way, normal, 1.0, GLASS_IOR, true, weight, light)) end = AROUND;
+        normal = up;
+    }
+    for (int event = 0; event < 12 && end == NOWHERE; ++event) {
         if (region == GLASS) {
             vec3 out_normal, in_normal, unused;
             float leaves = slab(from, way, low, high, unused, out_normal).y;
@@ -195,35 +198,45 @@ vec3 trace(vec3 from, vec3 way, float grain_here) {
             if (enters) {
                 vec3 within = from - in_normal * 0.35 * cell_m;
                 wet = level_at(within) < 0.0 && from.z < size_m.z;
-                if (solid_at(within) < 0.0 && from.z < size_m.z)
-                    return light + weight * solid_light(within, in_normal);
-                if (bend(way, in_normal, GLASS_IOR, wet ? LIQUID_IOR : 1.0, false, weight, light)) {
+                if (solid_at(within) < 0.0 && from.z < size_m.z) {
+                    from = within;
+                    normal = in_normal;
+                    end = SOLID_BODY;
+                } else if (bend(way, in_normal, GLASS_IOR, wet ? LIQUID_IOR : 1.0, false, weight, light)) {
                     region = ROOM;
                     normal = in_normal;
                 }
             } else if (bend(way, -out_normal, GLASS_IOR, 1.0, false, weight, light)) {
-                return light + weight * surroundings(from + way * 1e-5, way);
+                from += way * 1e-5;
+                end = AROUND;
             }
         } else {
             vec3 unused, out_normal;
             float leaves = max(slab(from, way, vec3(0.0), size_m, unused, out_normal).y, 0.0);
             Meeting next = march(from, way, leaves, wet, normal, grain_here, weight, light);
             from += way * next.way;
-            if (next.what == 2) return light + weight * solid_light(from, next.normal);
             float here = wet ? LIQUID_IOR : 1.0;
-            if (next.what == 1) {
+            if (next.what == 2) {
+                normal = next.normal;
+                end = SOLID_BODY;
+            } else if (next.what == 1) {
                 normal = next.normal;
                 if (bend(way, normal, here, wet ? 1.0 : LIQUID_IOR, !wet && event < 4, weight, light)) wet = !wet;
             } else if (out_normal.z > 0.5) {
-                return light + weight * surroundings(from, way);
+                end = AROUND;
             } else if (bend(way, -out_normal, here, GLASS_IOR, false, weight, light)) {
                 region = GLASS;
             } else {
                 normal = -out_normal;
             }
         }
+        if (is_dark(weight)) end = DARK;
     }
-    return light + weight * SKY * 0.7;
+    // Once, and not at each event: software that draws goes through all that stands in a loop, for every ray.
+    if (end == AROUND) light += weight * surroundings(from, way);
+    if (end == SOLID_BODY) light += weight * solid_light(from, normal);
+    if (end == NOWHERE) light += weight * SKY * 0.7;
+    return light;
 }
 )";
 

@@ -1,7 +1,5 @@
 #include "glass/tea_page.hpp"
 
-#include <cmath>
-
 namespace pastoso::glass {
 
 TeaPage::TeaPage(const TeaActions& actions, QWidget* parent)
@@ -18,11 +16,8 @@ TeaPage::TeaPage(TeaView* view, TeaPanel* panel, const TeaActions& actions, QWid
       panel_(panel) {}
 
 void TeaPage::show_status(const session::TeaStatus& status) {
-    show_time(status,
-              tr("%1 ml of milk   %2 steps/s")
-                  .arg(1e6 * status.milk_m3, 0, 'f', 1)
-                  .arg(std::lround(status.steps_per_s)),
-              1);
+    show_time(status, tr("%1 ml of milk").arg(1e6 * status.milk_m3, 0, 'f', 1), 1,
+              status.at_rest ? tr("Press on the tea to pour milk where you point") : QString());
 }
 
 }  // namespace pastoso::glass

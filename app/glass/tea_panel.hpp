@@ -1,7 +1,8 @@
-// Beside the glass: what is done with it, the force, and all its numbers.
+// Beside the glass: what is done with it, milk and tea in words, recipes, and all numbers below.
 #pragma once
 
 #include "glass/panel_parts.hpp"
+#include "glass/tea_recipes.hpp"
 #include "session/tea_session.hpp"
 
 #include <vector>
@@ -11,6 +12,10 @@
 class QComboBox;
 class QSpinBox;
 class QVBoxLayout;
+
+namespace pastoso::panels {
+class Gallery;
+}
 
 namespace pastoso::glass {
 
@@ -23,7 +28,7 @@ struct TeaSection;
 /// The actions that stand on its buttons and beside the timeline.
 struct TeaActions {
     GlassActions glass;
-    QAction *new_glass, *open, *save, *force, *recentre, *reverse;
+    QAction *pour, *new_glass, *open, *save, *force, *recentre, *reverse;
     QAction *left, *right, *away, *near;
     QAction *render, *export_mesh;
 };
@@ -46,11 +51,20 @@ class TeaPanel : public QWidget {
     /// Numbers that hold from now on.
     void numbers_changed(const liquid::TeaSettings& settings);
     void force_changed(const session::TeaForce& force);
+    /// The name of a scene that comes with the program.
+    void recipe_chosen(const QString& scene);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void add_glass(QVBoxLayout* column, const TeaActions& actions);
+    void add_feels(QVBoxLayout* column);
+    void add_recipes(QVBoxLayout* column);
+    void add_next_glass(QVBoxLayout* column);
     void add_force(QVBoxLayout* column, const TeaActions& actions);
     void add_numbers(QVBoxLayout* column, const TeaSection& section);
+    void change(const liquid::TeaSettings& settings);
 
     struct Shown {
         const TeaRow* row;
@@ -62,6 +76,9 @@ class TeaPanel : public QWidget {
     GlassChooser* chooser_ = nullptr;
     QComboBox* cells_ = nullptr;
     QSpinBox* parcels_ = nullptr;
+    std::vector<TeaRecipe> recipes_;
+    panels::Gallery* gallery_ = nullptr;
+    std::vector<FeelRow*> feels_;
     ValueRow *milk_ = nullptr, *swirl_ = nullptr, *push_ = nullptr;
     std::vector<Shown> shown_;
 };

@@ -1,6 +1,7 @@
 #include "glass/tea_renderer.hpp"
 
-#include "glass/tea_shaders.hpp"
+#include "glass/ray_shaders.hpp"
+#include "glass/tea_shader.hpp"
 
 #include <QVector2D>
 #include <QVector4D>
@@ -8,15 +9,18 @@
 namespace pastoso::glass {
 namespace {
 
-enum Unit { kShareUnit, kToLampUnit, kToLevelUnit };
+enum Unit { kShareUnit, kToLampUnit, kToLevelUnit, kLightUnit };
 constexpr int kDraftSteps = 40, kFullSteps = 80;  ///< of the march through the tea
 
 }  // namespace
 
 void TeaRenderer::initialise(QOpenGLExtraFunctions* gl) {
     gl_ = gl;
-    program_ = ray_program(kGlassFragmentShader);
+    program_ = ray_program(QByteArray(kCupShader) + kTeaShader);
+    light_program_ =
+        shader_program(kRayVertexShader, QByteArray(kLightShader) + kCupShader + kTeaLightShader);
     gl_->glGenVertexArrays(1, &empty_array_);
+    gl_->glGenFramebuffers(1, &light_target_);
     for (FieldTexture& field : fields_) {
         gl_->glGenTextures(1, &field.texture);
         field.shape = {};
@@ -25,8 +29,10 @@ void TeaRenderer::initialise(QOpenGLExtraFunctions* gl) {
 
 void TeaRenderer::release() {
     program_.reset();
+    light_program_.reset();
     if (gl_ == nullptr) return;
     gl_->glDeleteVertexArrays(1, &empty_array_);
+    gl_->glDeleteFramebuffers(1, &light_target_);
     for (FieldTexture& field : fields_)
         gl_->glDeleteTextures(1, &field.texture);
     gl_ = nullptr;
@@ -35,9 +41,12 @@ void TeaRenderer::release() {
 void TeaRenderer::show(const session::TeaSnapshot& snapshot) {
     settings_ = snapshot.settings;
     stream_m_ = snapshot.stream_m;
+    milk_low_m_ = snapshot.milk_low_m;
+    milk_high_m_ = snapshot.milk_high_m;
     upload(kShareUnit, snapshot.milk_share);
     upload(kToLampUnit, snapshot.to_lamp_m);
     upload(kToLevelUnit, snapshot.to_level_m);
+    light_tea(snapshot.to_lamp_m.shape());
 }
 
 void TeaRenderer::upload(int unit, const grid::BoxField& field) {
@@ -48,25 +57,66 @@ void TeaRenderer::upload(int unit, const grid::BoxField& field) {
     shown.shape = shape;
 }
 
+void TeaRenderer::bind_field(int unit) {
+    gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    gl_->glBindTexture(GL_TEXTURE_3D, fields_[static_cast<std::size_t>(unit)].texture);
+}
+
+void TeaRenderer::set_cup(QOpenGLShaderProgram& program) const {
+    const liquid::Cup& cup = settings_.cup;
+    program.setUniformValue("axis_m", QVector2D(cup.axis_m.x, cup.axis_m.y));
+    program.setUniformValue("floor_m", cup.floor_m);
+    program.setUniformValue("floor_radius_m", cup.floor_radius_m);
+    program.setUniformValue("slope", cup.slope);
+    program.setUniformValue("level_m", cup.level_m);
+    program.setUniformValue("wall_m", cup.wall_m);
+    program.setUniformValue("foot_m", cup.foot_m);
+    program.setUniformValue("rim_m", cup.rim_m);
+    program.setUniformValue("box_m", static_cast<float>(settings_.box_m));
+}
+
+/// Layer by layer, once for each moment: every ray that comes by finds it.
+void TeaRenderer::light_tea(const grid::BoxShape& cells) {
+    FieldTexture& light = fields_[kLightUnit];
+    bind_field(kLightUnit);
+    if (cells != light.shape) {
+        gl_->glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA16F, cells.nx, cells.ny, cells.nz, 0, GL_RGBA,
+                          GL_FLOAT, nullptr);
+        set_interpolation(*gl_);
+        light.shape = cells;
+    }
+    light_program_->bind();
+    set_cup(*light_program_);
+    for (const int unit : {kToLampUnit, kToLevelUnit})
+        bind_field(unit);
+    light_program_->setUniformValue("to_lamp_m", static_cast<GLint>(kToLampUnit));
+    light_program_->setUniformValue("to_level_m", static_cast<GLint>(kToLevelUnit));
+    gl_->glBindFramebuffer(GL_FRAMEBUFFER, light_target_);
+    gl_->glViewport(0, 0, cells.nx, cells.ny);
+    gl_->glDisable(GL_DEPTH_TEST);
+    gl_->glDisable(GL_BLEND);
+    gl_->glBindVertexArray(empty_array_);
+    for (int layer = 0; layer < cells.nz; ++layer) {
+        gl_->glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, light.texture, 0, layer);
+        light_program_->setUniformValue(
+            "layer", (static_cast<float>(layer) + 0.5F) / static_cast<float>(cells.nz));
+        gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    gl_->glBindVertexArray(0);
+    light_program_->release();
+}
+
 void TeaRenderer::set_glass(const GlassCamera& camera, QSize size, int pass, Quality quality) {
     QOpenGLShaderProgram& glass = *program_;
-    const liquid::Cup& cup = settings_.cup;
     set_rays(glass, camera, size, pass);
-    glass.setUniformValue("axis_m", QVector2D(cup.axis_m.x, cup.axis_m.y));
-    glass.setUniformValue("floor_m", cup.floor_m);
-    glass.setUniformValue("floor_radius_m", cup.floor_radius_m);
-    glass.setUniformValue("slope", cup.slope);
-    glass.setUniformValue("level_m", cup.level_m);
-    glass.setUniformValue("wall_m", cup.wall_m);
-    glass.setUniformValue("foot_m", cup.foot_m);
-    glass.setUniformValue("rim_m", cup.rim_m);
-    glass.setUniformValue("box_m", static_cast<float>(settings_.box_m));
+    set_cup(glass);
     glass.setUniformValue("table_m", trace::Table{}.height_m);
     glass.setUniformValue("march_steps", quality == Quality::Draft ? kDraftSteps : kFullSteps);
+    glass.setUniformValue("milk_low_m", vector(milk_low_m_));
+    glass.setUniformValue("milk_high_m", vector(milk_high_m_));
     glass.setUniformValue("milk_share", static_cast<GLint>(kShareUnit));
-    glass.setUniformValue("to_lamp_m", static_cast<GLint>(kToLampUnit));
-    glass.setUniformValue("to_level_m", static_cast<GLint>(kToLevelUnit));
-    const glm::vec2 at = stream_m_.value_or(cup.axis_m);
+    glass.setUniformValue("light_in_tea", static_cast<GLint>(kLightUnit));
+    const glm::vec2 at = stream_m_.value_or(settings_.cup.axis_m);
     glass.setUniformValue("stream",
                           QVector4D(at.x, at.y, static_cast<float>(0.55 * settings_.pour_radius_m),
                                     stream_m_ ? 1.0F : 0.0F));
@@ -76,10 +126,8 @@ void TeaRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, cons
                        int pass, Quality quality) {
     program_->bind();
     set_glass(camera, target.size(), pass, quality);
-    for (std::size_t unit = 0; unit < fields_.size(); ++unit) {
-        gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        gl_->glBindTexture(GL_TEXTURE_3D, fields_[unit].texture);
-    }
+    for (const int unit : {kShareUnit, kLightUnit})
+        bind_field(unit);
     draw_rays(*gl_, target, part, pass, empty_array_);
     program_->release();
 }

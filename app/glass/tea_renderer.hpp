@@ -28,14 +28,19 @@ class TeaRenderer : public LiquidRenderer {
     };
 
     void upload(int unit, const grid::BoxField& field);
+    void bind_field(int unit);
+    void set_cup(QOpenGLShaderProgram& program) const;
+    void light_tea(const grid::BoxShape& cells);
     void set_glass(const GlassCamera& camera, QSize size, int pass, Quality quality);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
-    std::unique_ptr<QOpenGLShaderProgram> program_;
-    GLuint empty_array_ = 0;
-    std::array<FieldTexture, 3> fields_;  ///< the milk's share, and its depths to the lamp and the level
+    std::unique_ptr<QOpenGLShaderProgram> program_, light_program_;
+    GLuint empty_array_ = 0, light_target_ = 0;
+    /// The milk's share, its depths to the lamp and the level, and the light that arrives.
+    std::array<FieldTexture, 4> fields_;
     liquid::TeaSettings settings_;
     std::optional<glm::vec2> stream_m_;
+    glm::vec3 milk_low_m_{0.0F}, milk_high_m_{0.0F};
 };
 
 }  // namespace pastoso::glass

@@ -24,6 +24,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.preferences, &PreferenceCommands::autosave_due, &parts.files,
             &ProjectFiles::save_by_itself);
     connect(&parts.place, &CanvasPlace::taking, &parts.view, &ViewCommands::leave_canvas_only);
+    connect(&parts.place, &CanvasPlace::taken_by, &parts.files, &ProjectFiles::show_place);
     connect(&parts.tea, &TeaMode::other_wanted, &parts.tank, &TankMode::choose);
     connect(&parts.tank, &TankMode::tea_wanted, &parts.tea, &TeaMode::enter);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.physics, &panels::MediumPanel::finish);

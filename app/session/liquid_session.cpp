@@ -93,6 +93,7 @@ void LiquidSession::show(int step) {
 void LiquidSession::glass_made() {
     shown_step_.reset();
     ++glass_;
+    steps_per_s_ = 0.0;
     due_ = stepped_at_ = Clock::now();
 }
 

@@ -81,6 +81,18 @@ void TankSession::new_tank(const tank::TankScene& scene) {
     post({.apply = [this, scene] { make_tank(scene); }, .makes_glass = true});
 }
 
+void TankSession::start_again(const tank::TankScene& scene) {
+    post({.apply =
+              [this, scene] {
+                  const TankWind wind = wind_;
+                  const bool open = drains_open_;
+                  make_tank(scene);
+                  let_blow(wind);
+                  let_drain(open);
+              },
+          .makes_glass = true});
+}
+
 /// The tank before stays when there can be none like this.
 void TankSession::make_tank(const tank::TankScene& scene) {
     tank::check_tank(scene);
@@ -107,21 +119,25 @@ void TankSession::add_sphere(const tank::Sphere& sphere, float milk) {
 }
 
 void TankSession::set_wind(const TankWind& wind) {
-    post({[this, wind] {
-        tank::Wind blowing;
-        blowing.speed_m_s = wind.on ? wind.speed_m_s : 0.0;
-        blowing.direction_deg = wind.direction_deg;
-        blowing.drag_per_s = wind.drag_per_s;
-        if (tank_ != nullptr) tank_->set_wind(blowing);
-        wind_ = wind;
-    }});
+    post({[this, wind] { let_blow(wind); }});
+}
+
+void TankSession::let_blow(const TankWind& wind) {
+    tank::Wind blowing;
+    blowing.speed_m_s = wind.on ? wind.speed_m_s : 0.0;
+    blowing.direction_deg = wind.direction_deg;
+    blowing.drag_per_s = wind.drag_per_s;
+    if (tank_ != nullptr) tank_->set_wind(blowing);
+    wind_ = wind;
 }
 
 void TankSession::open_drains(bool open) {
-    post({[this, open] {
-        drains_open_ = open;
-        if (tank_ != nullptr) tank_->open_drains(open);
-    }});
+    post({[this, open] { let_drain(open); }});
+}
+
+void TankSession::let_drain(bool open) {
+    drains_open_ = open;
+    if (tank_ != nullptr) tank_->open_drains(open);
 }
 
 void TankSession::set_numbers(const tank::TankScene& numbers) {

@@ -50,9 +50,11 @@ class TankSession : public LiquidSession {
                 std::size_t budget_bytes = kBudget_bytes);
     ~TankSession() override;
 
-    /// Another tank in place of what is there, or the same once more. A scene without drains gets one in
-    /// its floor, which is shut at first; wind and drains are as the scene has them.
+    /// Another tank in place of what is there. A scene without drains gets one in its floor, which is
+    /// shut at first; wind and drains are as the scene has them.
     void new_tank(const tank::TankScene& scene);
+    /// A tank once more from its beginning: wind and drains stay as the hand has set them.
+    void start_again(const tank::TankScene& scene);
 
     /// Liquid of that form appears where there is none yet; how much of it is milk.
     void add_sphere(const tank::Sphere& sphere, float milk);
@@ -92,6 +94,8 @@ class TankSession : public LiquidSession {
     void give_moment() override;
 
     void make_tank(const tank::TankScene& scene);
+    void let_blow(const TankWind& wind);
+    void let_drain(bool open);
     TankSeen seen_now();
     bool stands_at_moment() const;
 

@@ -3,7 +3,10 @@
 #include "liquid/tea/milk_depth.hpp"
 #include "trace/scene.hpp"
 
+#include <algorithm>
 #include <utility>
+
+#include <glm/common.hpp>
 
 namespace pastoso::session {
 namespace {
@@ -18,6 +21,27 @@ liquid::TeaSettings with_force(liquid::TeaSettings settings, const TeaForce& for
     return settings;
 }
 
+/// What is interpolated reaches to the middles of the next cells.
+void find_milk(const grid::BoxField& share, glm::vec3& low_m, glm::vec3& high_m) {
+    const grid::BoxShape& shape = share.shape();
+    glm::ivec3 low(shape.nx, shape.ny, shape.nz), high(-1);
+    for (int k = 0; k < shape.nz; ++k)
+        for (int j = 0; j < shape.ny; ++j) {
+            const float* row = share.row(j, k);
+            const auto some = [](float part) { return part > 0.0F; };
+            const auto first = static_cast<int>(std::find_if(row, row + shape.nx, some) - row);
+            if (first == shape.nx) continue;
+            int last = shape.nx - 1;
+            while (!some(row[last]))
+                --last;
+            low = glm::min(low, glm::ivec3(first, j, k));
+            high = glm::max(high, glm::ivec3(last, j, k));
+        }
+    const bool none = high.x < 0;
+    low_m = none ? glm::vec3(0.0F) : shape.cell_m * (glm::vec3(low) - 0.5F);
+    high_m = none ? glm::vec3(0.0F) : shape.cell_m * (glm::vec3(high) + 1.5F);
+}
+
 }  // namespace
 
 void fill_milk(liquid::MilkDensities& densities, TeaSnapshot& snapshot) {
@@ -26,6 +50,7 @@ void fill_milk(liquid::MilkDensities& densities, TeaSnapshot& snapshot) {
     density.cells = kSeenCells;
     const TeaFrame& seen = snapshot.seen;
     snapshot.milk_share = densities.make(seen.parcels, seen.dissolved, settings.cup, density).dense();
+    find_milk(snapshot.milk_share, snapshot.milk_low_m, snapshot.milk_high_m);
     const grid::BoxField coarse = liquid::halved(snapshot.milk_share);
     snapshot.to_lamp_m = liquid::milk_depth_m(coarse, trace::Lamp{}.towards);
     snapshot.to_level_m = liquid::milk_depth_m(coarse, {0.0F, 0.0F, 1.0F});
@@ -63,6 +88,7 @@ void TeaSession::new_glass(const liquid::TeaSettings& settings) {
 /// The glass before stays when there can be none like this.
 void TeaSession::make_glass(const liquid::TeaSettings& settings) {
     tea_ = std::make_unique<liquid::MilkTea>(with_force(settings, force_));
+    tea_->pour_recipe(false);
     settings_ = settings;
     frames_.clear();
     frames_.keep(0, tea_->parcels(), tea_->dissolved());
@@ -94,8 +120,23 @@ void TeaSession::set_force(const TeaForce& force) {
     }});
 }
 
+/// A recipe that has ended does not go on because it lasts longer now.
 void TeaSession::use_settings() {
-    if (tea_ != nullptr) tea_->set_settings(with_force(settings_, force_));
+    if (tea_ == nullptr) return;
+    const bool flows = tea_->recipe_flows();
+    tea_->set_settings(with_force(settings_, force_));
+    if (!flows) tea_->pour_recipe(false);
+}
+
+void TeaSession::pour_recipe(bool pours) {
+    post({[this, pours] {
+        if (tea_ != nullptr) tea_->pour_recipe(pours);
+    }});
+}
+
+/// Clear tea that nothing moves looks the same for ever.
+bool TeaSession::waits() const {
+    return tea_->steps() == 0 && !tea_->recipe_flows() && !hand_m_ && hand_has_poured_ && !force_.on;
 }
 
 /// A hand that is lifted before a step was made has poured all the same.
@@ -125,8 +166,7 @@ TeaFrame TeaSession::frame_now() const {
 std::optional<glm::vec2> TeaSession::stream() const {
     if (shown_step() || paused()) return std::nullopt;
     if (hand_m_) return hand_m_;
-    const bool recipe = tea_->time_s() < settings_.pour_s && settings_.milk_m3 > 0.0;
-    return recipe ? std::optional(settings_.cup.axis_m) : std::nullopt;
+    return tea_->recipe_flows() ? std::optional(settings_.cup.axis_m) : std::nullopt;
 }
 
 void TeaSession::make_moment(LiquidStatus& status) {
@@ -148,6 +188,8 @@ void TeaSession::make_moment(LiquidStatus& status) {
 void TeaSession::give_moment() {
     if (made_ != nullptr) snapshot_ = std::exchange(made_, nullptr);
     seen_.pouring = hand_m_.has_value();
+    seen_.recipe_flows = tea_ != nullptr && tea_->recipe_flows();
+    seen_.at_rest = tea_ != nullptr && waits();
     seen_.force = force_;
     seen_.milk_m3 = tea_ != nullptr ? tea_->poured_m3() : 0.0;
 }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace pastoso::session {
 
@@ -20,6 +21,7 @@ struct TeaSnapshot {
     double time_s = 0.0;
     grid::BoxField milk_share;  ///< parcels and dissolved milk, as fine as the view shows them
     grid::BoxField to_lamp_m, to_level_m;  ///< milk in the way of light (milk_depth.hpp), half as fine
+    glm::vec3 milk_low_m{0.0F}, milk_high_m{0.0F};  ///< corners of a box in which all the milk is
     std::optional<glm::vec2> stream_m;  ///< where milk is poured right now
 };
 
@@ -36,25 +38,32 @@ struct TeaForce {
 };
 
 struct TeaStatus : LiquidStatus {
-    bool pouring = false;  ///< by hand
+    bool pouring = false;       ///< by hand
+    bool recipe_flows = false;  ///< its milk is poured
+    bool at_rest = false;       ///< clear tea: no time passes until something is done to it
     TeaForce force;
     double milk_m3 = 0.0;  ///< poured so far
 };
 
 class TeaSession : public LiquidSession {
   public:
-    /// Fills a glass, and lets its time pass unless it is paused. Settings that are none are told as an
-    /// error, and there is no glass until new_glass() gives others.
+    /// Fills a glass, which rests as after new_glass(). Settings that are none are told as an error, and
+    /// there is no glass until new_glass() gives others.
     TeaSession(const liquid::TeaSettings& settings, bool paused, Notify notify,
                std::size_t budget_bytes = kBudget_bytes);
     ~TeaSession() override;
 
-    /// Clear tea in place of what is there. The force stays.
+    /// Clear tea in place of what is there. It rests: its time begins when milk is poured or the force
+    /// is on. The force stays.
     void new_glass(const liquid::TeaSettings& settings);
 
     /// Other numbers from now on, as MilkTea::set_settings(); those of the force are not looked at.
     void set_numbers(const liquid::TeaSettings& settings);
     void set_force(const TeaForce& force);
+
+    /// The recipe's milk is poured into the middle from now on, whatever was poured before; or no more
+    /// of it.
+    void pour_recipe(bool pours);
 
     /// Milk is poured there, until told nothing. However short that is, some is poured.
     void pour(std::optional<glm::vec2> at_m);
@@ -72,6 +81,7 @@ class TeaSession : public LiquidSession {
     bool has_liquid() const override { return tea_ != nullptr; }
     double step_liquid() override;
     bool owes_step() const override { return !hand_has_poured_; }
+    bool waits() const override;
     int last_step() const override { return tea_->steps(); }
     void make_moment(LiquidStatus& status) override;
     void give_moment() override;

@@ -2015,10 +2015,6 @@
         <translation>&amp;Start again</translation>
     </message>
     <message>
-        <source>The tank as it stood at the beginning</source>
-        <translation>The tank as it stood at the beginning</translation>
-    </message>
-    <message>
         <source>Export &amp;all moments...</source>
         <translation>Export &amp;all moments...</translation>
     </message>
@@ -2173,6 +2169,18 @@
     <message>
         <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
         <translation>Thin the paint in hand to a wash for a first lay-in, and back</translation>
+    </message>
+    <message>
+        <source>Po&amp;ur</source>
+        <translation>Po&amp;ur</translation>
+    </message>
+    <message>
+        <source>Pour the recipe&apos;s milk into the middle, or stop pouring it; press on the tea to pour where you point</source>
+        <translation>Pour the recipe&apos;s milk into the middle, or stop pouring it; press on the tea to pour where you point</translation>
+    </message>
+    <message>
+        <source>The tank as it stood at the beginning; wind and drain stay as they are</source>
+        <translation>The tank as it stood at the beginning; wind and drain stay as they are</translation>
     </message>
 </context>
 <context>
@@ -3439,6 +3447,122 @@
         <source> cells</source>
         <translation> cells</translation>
     </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Numbers</translation>
+    </message>
+    <message>
+        <source>Each number of the liquid</source>
+        <translation>Each number of the liquid</translation>
+    </message>
+    <message>
+        <source>thin as water</source>
+        <translation>thin as water</translation>
+    </message>
+    <message>
+        <source>thick as honey</source>
+        <translation>thick as honey</translation>
+    </message>
+    <message>
+        <source>Its viscosity</source>
+        <translation>Its viscosity</translation>
+    </message>
+    <message>
+        <source>calm</source>
+        <translation>calm</translation>
+    </message>
+    <message>
+        <source>lively</source>
+        <translation>lively</translation>
+    </message>
+    <message>
+        <source>How much of its own movement each drop keeps</source>
+        <translation>How much of its own movement each drop keeps</translation>
+    </message>
+    <message>
+        <source>warm milk</source>
+        <translation>warm milk</translation>
+    </message>
+    <message>
+        <source>cold milk</source>
+        <translation>cold milk</translation>
+    </message>
+    <message>
+        <source>Warm milk spreads under the surface, cold milk falls to the floor</source>
+        <translation>Warm milk spreads under the surface, cold milk falls to the floor</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>thin</translation>
+    </message>
+    <message>
+        <source>creamy</source>
+        <translation>creamy</translation>
+    </message>
+    <message>
+        <source>Thin milk stays below and mixes soon, creamy milk rises in large soft clouds</source>
+        <translation>Thin milk stays below and mixes soon, creamy milk rises in large soft clouds</translation>
+    </message>
+    <message>
+        <source>hot tea</source>
+        <translation>hot tea</translation>
+    </message>
+    <message>
+        <source>ice-cold tea</source>
+        <translation>ice-cold tea</translation>
+    </message>
+    <message>
+        <source>Hot tea warms the milk, and it rises again; in ice-cold tea it lies where it fell</source>
+        <translation>Hot tea warms the milk, and it rises again; in ice-cold tea it lies where it fell</translation>
+    </message>
+    <message>
+        <source>Cold milk</source>
+        <translation>Cold milk</translation>
+    </message>
+    <message>
+        <source>Cold milk sinks, and comes up again in soft clouds as it warms</source>
+        <translation>Cold milk sinks, and comes up again in soft clouds as it warms</translation>
+    </message>
+    <message>
+        <source>Cold brew</source>
+        <translation>Cold brew</translation>
+    </message>
+    <message>
+        <source>A thin stream into cold tea: it heaps up on the floor and stays there for long</source>
+        <translation>A thin stream into cold tea: it heaps up on the floor and stays there for long</translation>
+    </message>
+    <message>
+        <source>Cream</source>
+        <translation>Cream</translation>
+    </message>
+    <message>
+        <source>Thick cream turns round and floats on the tea</source>
+        <translation>Thick cream turns round and floats on the tea</translation>
+    </message>
+    <message>
+        <source>A drop</source>
+        <translation>A drop</translation>
+    </message>
+    <message>
+        <source>A little thin milk, drawn out to fingers and veils</source>
+        <translation>A little thin milk, drawn out to fingers and veils</translation>
+    </message>
+    <message>
+        <source>Stirred</source>
+        <translation>Stirred</translation>
+    </message>
+    <message>
+        <source>The spoon goes round while the milk is poured</source>
+        <translation>The spoon goes round while the milk is poured</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>White</translation>
+    </message>
+    <message>
+        <source>A wide stream of milk billows up and fills the glass</source>
+        <translation>A wide stream of milk billows up and fills the glass</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::GlassChooser</name>
@@ -3468,6 +3592,18 @@
     <message>
         <source>%1 of %2 s</source>
         <translation>%1 of %2 s</translation>
+    </message>
+    <message>
+        <source>%1   paused</source>
+        <translation>%1   paused</translation>
+    </message>
+    <message>
+        <source>%1   %2 steps/s</source>
+        <translation>%1   %2 steps/s</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Paused</translation>
     </message>
 </context>
 <context>
@@ -3574,6 +3710,13 @@
             <numerusform>%1 of %n samples</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n sample(s) in %1 s: too few to take all noise out</source>
+        <translation>
+            <numerusform>%n sample in %1 s: too few to take all noise out</numerusform>
+            <numerusform>%n samples in %1 s: too few to take all noise out</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::TankPage</name>
@@ -3594,8 +3737,8 @@
         <translation>Filling the tank...</translation>
     </message>
     <message>
-        <source>%1 l   %2 steps/s</source>
-        <translation>%1 l   %2 steps/s</translation>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
     </message>
 </context>
 <context>
@@ -3704,8 +3847,12 @@
         <translation>Filling the glass...</translation>
     </message>
     <message>
-        <source>%1 ml of milk   %2 steps/s</source>
-        <translation>%1 ml of milk   %2 steps/s</translation>
+        <source>%1 ml of milk</source>
+        <translation>%1 ml of milk</translation>
+    </message>
+    <message>
+        <source>Press on the tea to pour milk where you point</source>
+        <translation>Press on the tea to pour milk where you point</translation>
     </message>
 </context>
 <context>
@@ -3761,6 +3908,18 @@
     <message>
         <source>A push down along the axis; below 0 it goes up</source>
         <translation>A push down along the axis; below 0 it goes up</translation>
+    </message>
+    <message>
+        <source>Milk and tea</source>
+        <translation>Milk and tea</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recipes</translation>
+    </message>
+    <message>
+        <source>The next glass</source>
+        <translation>The next glass</translation>
     </message>
 </context>
 <context>
@@ -4028,6 +4187,10 @@
     <message>
         <source>Messages</source>
         <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Pour</source>
+        <translation>Pour</translation>
     </message>
 </context>
 <context>
@@ -4473,6 +4636,10 @@
     <message>
         <source>Save...</source>
         <translation>Save...</translation>
+    </message>
+    <message>
+        <source>%1 - %2</source>
+        <translation>%1 - %2</translation>
     </message>
 </context>
 <context>

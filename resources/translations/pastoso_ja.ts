@@ -2015,10 +2015,6 @@
         <translation>最初から(&amp;S)</translation>
     </message>
     <message>
-        <source>The tank as it stood at the beginning</source>
-        <translation>最初の状態の水槽</translation>
-    </message>
-    <message>
         <source>Export &amp;all moments...</source>
         <translation>すべての瞬間を書き出す(&amp;A)...</translation>
     </message>
@@ -2173,6 +2169,18 @@
     <message>
         <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
         <translation>手元の絵の具を下塗り用にごく薄くし、もう一度で元に戻す</translation>
+    </message>
+    <message>
+        <source>Po&amp;ur</source>
+        <translation>注ぐ(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Pour the recipe&apos;s milk into the middle, or stop pouring it; press on the tea to pour where you point</source>
+        <translation>レシピのミルクを中央に注ぐか、注ぐのをやめます。紅茶を押すと、指した場所に注げます</translation>
+    </message>
+    <message>
+        <source>The tank as it stood at the beginning; wind and drain stay as they are</source>
+        <translation>水槽を最初の状態に戻します。風と排水口はそのままです</translation>
     </message>
 </context>
 <context>
@@ -3434,6 +3442,122 @@
         <source> cells</source>
         <translation> セル</translation>
     </message>
+    <message>
+        <source>Numbers</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>Each number of the liquid</source>
+        <translation>液体のすべての数値</translation>
+    </message>
+    <message>
+        <source>thin as water</source>
+        <translation>水のようにさらさら</translation>
+    </message>
+    <message>
+        <source>thick as honey</source>
+        <translation>蜂蜜のようにとろり</translation>
+    </message>
+    <message>
+        <source>Its viscosity</source>
+        <translation>液体の粘度</translation>
+    </message>
+    <message>
+        <source>calm</source>
+        <translation>穏やか</translation>
+    </message>
+    <message>
+        <source>lively</source>
+        <translation>活発</translation>
+    </message>
+    <message>
+        <source>How much of its own movement each drop keeps</source>
+        <translation>それぞれの粒が自分の動きをどれだけ保つか</translation>
+    </message>
+    <message>
+        <source>warm milk</source>
+        <translation>温かいミルク</translation>
+    </message>
+    <message>
+        <source>cold milk</source>
+        <translation>冷たいミルク</translation>
+    </message>
+    <message>
+        <source>Warm milk spreads under the surface, cold milk falls to the floor</source>
+        <translation>温かいミルクは水面の下に広がり、冷たいミルクは底に沈みます</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>薄い</translation>
+    </message>
+    <message>
+        <source>creamy</source>
+        <translation>濃厚</translation>
+    </message>
+    <message>
+        <source>Thin milk stays below and mixes soon, creamy milk rises in large soft clouds</source>
+        <translation>薄いミルクは下にとどまってすぐ混ざり、濃厚なミルクは大きく柔らかな雲になって昇ります</translation>
+    </message>
+    <message>
+        <source>hot tea</source>
+        <translation>熱い紅茶</translation>
+    </message>
+    <message>
+        <source>ice-cold tea</source>
+        <translation>氷のように冷たい紅茶</translation>
+    </message>
+    <message>
+        <source>Hot tea warms the milk, and it rises again; in ice-cold tea it lies where it fell</source>
+        <translation>熱い紅茶ではミルクが温まって再び昇り、冷たい紅茶では落ちた場所にとどまります</translation>
+    </message>
+    <message>
+        <source>Cold milk</source>
+        <translation>冷たいミルク</translation>
+    </message>
+    <message>
+        <source>Cold milk sinks, and comes up again in soft clouds as it warms</source>
+        <translation>冷たいミルクは沈み、温まると柔らかな雲になって昇ってきます</translation>
+    </message>
+    <message>
+        <source>Cold brew</source>
+        <translation>水出し紅茶</translation>
+    </message>
+    <message>
+        <source>A thin stream into cold tea: it heaps up on the floor and stays there for long</source>
+        <translation>冷たい紅茶に細く注ぐと、底に積もって長くとどまります</translation>
+    </message>
+    <message>
+        <source>Cream</source>
+        <translation>クリーム</translation>
+    </message>
+    <message>
+        <source>Thick cream turns round and floats on the tea</source>
+        <translation>濃いクリームは向きを変え、紅茶に浮かびます</translation>
+    </message>
+    <message>
+        <source>A drop</source>
+        <translation>ひとしずく</translation>
+    </message>
+    <message>
+        <source>A little thin milk, drawn out to fingers and veils</source>
+        <translation>少しの薄いミルクが、指や薄絹のように引き伸ばされます</translation>
+    </message>
+    <message>
+        <source>Stirred</source>
+        <translation>かき混ぜて</translation>
+    </message>
+    <message>
+        <source>The spoon goes round while the milk is poured</source>
+        <translation>ミルクを注ぐあいだスプーンが回ります</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>真っ白</translation>
+    </message>
+    <message>
+        <source>A wide stream of milk billows up and fills the glass</source>
+        <translation>太く注いだミルクが湧き上がり、グラスを満たします</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::GlassChooser</name>
@@ -3463,6 +3587,18 @@
     <message>
         <source>%1 of %2 s</source>
         <translation>%1 / %2 秒</translation>
+    </message>
+    <message>
+        <source>%1   paused</source>
+        <translation>%1   一時停止中</translation>
+    </message>
+    <message>
+        <source>%1   %2 steps/s</source>
+        <translation>%1   %2 ステップ/秒</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止中</translation>
     </message>
 </context>
 <context>
@@ -3567,6 +3703,12 @@
             <numerusform>%1 / %n サンプル</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n sample(s) in %1 s: too few to take all noise out</source>
+        <translation>
+            <numerusform>%n サンプル、%1 秒: ノイズをすべて除くには少なすぎます</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::TankPage</name>
@@ -3587,8 +3729,8 @@
         <translation>水槽を満たしています...</translation>
     </message>
     <message>
-        <source>%1 l   %2 steps/s</source>
-        <translation>%1 l   %2 ステップ/秒</translation>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
     </message>
 </context>
 <context>
@@ -3697,8 +3839,12 @@
         <translation>グラスに注いでいます...</translation>
     </message>
     <message>
-        <source>%1 ml of milk   %2 steps/s</source>
-        <translation>ミルク %1 ml   %2 歩/秒</translation>
+        <source>%1 ml of milk</source>
+        <translation>ミルク %1 ml</translation>
+    </message>
+    <message>
+        <source>Press on the tea to pour milk where you point</source>
+        <translation>紅茶を押すと、指した場所にミルクを注ぎます</translation>
     </message>
 </context>
 <context>
@@ -3754,6 +3900,18 @@
     <message>
         <source>A push down along the axis; below 0 it goes up</source>
         <translation>軸に沿って下へ押す力。0 未満は上向きです</translation>
+    </message>
+    <message>
+        <source>Milk and tea</source>
+        <translation>ミルクと紅茶</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>レシピ</translation>
+    </message>
+    <message>
+        <source>The next glass</source>
+        <translation>次のグラス</translation>
     </message>
 </context>
 <context>
@@ -4021,6 +4179,10 @@
     <message>
         <source>Messages</source>
         <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>Pour</source>
+        <translation>注ぐ</translation>
     </message>
 </context>
 <context>
@@ -4464,6 +4626,10 @@
     <message>
         <source>Save...</source>
         <translation>保存...</translation>
+    </message>
+    <message>
+        <source>%1 - %2</source>
+        <translation>%1 - %2</translation>
     </message>
 </context>
 <context>

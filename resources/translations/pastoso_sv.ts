@@ -2015,10 +2015,6 @@
         <translation>&amp;Börja om</translation>
     </message>
     <message>
-        <source>The tank as it stood at the beginning</source>
-        <translation>Tanken som den stod i början</translation>
-    </message>
-    <message>
         <source>Export &amp;all moments...</source>
         <translation>Exportera &amp;alla ögonblick...</translation>
     </message>
@@ -2173,6 +2169,18 @@
     <message>
         <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
         <translation>Tunna ut färgen i handen till en lavering för undermålning, och tillbaka</translation>
+    </message>
+    <message>
+        <source>Po&amp;ur</source>
+        <translation>H&amp;äll</translation>
+    </message>
+    <message>
+        <source>Pour the recipe&apos;s milk into the middle, or stop pouring it; press on the tea to pour where you point</source>
+        <translation>Häll receptets mjölk i mitten, eller sluta hälla; tryck på teet för att hälla där du pekar</translation>
+    </message>
+    <message>
+        <source>The tank as it stood at the beginning; wind and drain stay as they are</source>
+        <translation>Tanken som den stod i början; vind och avlopp förblir som de är</translation>
     </message>
 </context>
 <context>
@@ -3439,6 +3447,122 @@
         <source> cells</source>
         <translation> celler</translation>
     </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Siffror</translation>
+    </message>
+    <message>
+        <source>Each number of the liquid</source>
+        <translation>Varje siffra för vätskan</translation>
+    </message>
+    <message>
+        <source>thin as water</source>
+        <translation>tunn som vatten</translation>
+    </message>
+    <message>
+        <source>thick as honey</source>
+        <translation>tjock som honung</translation>
+    </message>
+    <message>
+        <source>Its viscosity</source>
+        <translation>Dess viskositet</translation>
+    </message>
+    <message>
+        <source>calm</source>
+        <translation>lugn</translation>
+    </message>
+    <message>
+        <source>lively</source>
+        <translation>livlig</translation>
+    </message>
+    <message>
+        <source>How much of its own movement each drop keeps</source>
+        <translation>Hur mycket av sin egen rörelse varje droppe behåller</translation>
+    </message>
+    <message>
+        <source>warm milk</source>
+        <translation>varm mjölk</translation>
+    </message>
+    <message>
+        <source>cold milk</source>
+        <translation>kall mjölk</translation>
+    </message>
+    <message>
+        <source>Warm milk spreads under the surface, cold milk falls to the floor</source>
+        <translation>Varm mjölk breder ut sig under ytan, kall mjölk faller till botten</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>tunn</translation>
+    </message>
+    <message>
+        <source>creamy</source>
+        <translation>gräddig</translation>
+    </message>
+    <message>
+        <source>Thin milk stays below and mixes soon, creamy milk rises in large soft clouds</source>
+        <translation>Tunn mjölk stannar nere och blandas snart, gräddig mjölk stiger i stora mjuka moln</translation>
+    </message>
+    <message>
+        <source>hot tea</source>
+        <translation>hett te</translation>
+    </message>
+    <message>
+        <source>ice-cold tea</source>
+        <translation>iskallt te</translation>
+    </message>
+    <message>
+        <source>Hot tea warms the milk, and it rises again; in ice-cold tea it lies where it fell</source>
+        <translation>Hett te värmer mjölken, och den stiger igen; i iskallt te ligger den där den föll</translation>
+    </message>
+    <message>
+        <source>Cold milk</source>
+        <translation>Kall mjölk</translation>
+    </message>
+    <message>
+        <source>Cold milk sinks, and comes up again in soft clouds as it warms</source>
+        <translation>Kall mjölk sjunker, och kommer upp igen i mjuka moln när den blir varm</translation>
+    </message>
+    <message>
+        <source>Cold brew</source>
+        <translation>Kallbryggt</translation>
+    </message>
+    <message>
+        <source>A thin stream into cold tea: it heaps up on the floor and stays there for long</source>
+        <translation>En tunn stråle i kallt te: den samlas på botten och stannar där länge</translation>
+    </message>
+    <message>
+        <source>Cream</source>
+        <translation>Grädde</translation>
+    </message>
+    <message>
+        <source>Thick cream turns round and floats on the tea</source>
+        <translation>Tjock grädde vänder och flyter på teet</translation>
+    </message>
+    <message>
+        <source>A drop</source>
+        <translation>En skvätt</translation>
+    </message>
+    <message>
+        <source>A little thin milk, drawn out to fingers and veils</source>
+        <translation>Lite tunn mjölk som dras ut till fingrar och slöjor</translation>
+    </message>
+    <message>
+        <source>Stirred</source>
+        <translation>Omrört</translation>
+    </message>
+    <message>
+        <source>The spoon goes round while the milk is poured</source>
+        <translation>Skeden går runt medan mjölken hälls</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Vitt</translation>
+    </message>
+    <message>
+        <source>A wide stream of milk billows up and fills the glass</source>
+        <translation>En bred mjölkstråle väller upp och fyller glaset</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::GlassChooser</name>
@@ -3468,6 +3592,18 @@
     <message>
         <source>%1 of %2 s</source>
         <translation>%1 av %2 s</translation>
+    </message>
+    <message>
+        <source>%1   paused</source>
+        <translation>%1   pausad</translation>
+    </message>
+    <message>
+        <source>%1   %2 steps/s</source>
+        <translation>%1   %2 steg/s</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pausad</translation>
     </message>
 </context>
 <context>
@@ -3574,6 +3710,13 @@
             <numerusform>%1 av %n sampel</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n sample(s) in %1 s: too few to take all noise out</source>
+        <translation>
+            <numerusform>%n sampel på %1 s: för få för att ta bort allt brus</numerusform>
+            <numerusform>%n sampel på %1 s: för få för att ta bort allt brus</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::TankPage</name>
@@ -3594,8 +3737,8 @@
         <translation>Fyller tanken...</translation>
     </message>
     <message>
-        <source>%1 l   %2 steps/s</source>
-        <translation>%1 l   %2 steg/s</translation>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
     </message>
 </context>
 <context>
@@ -3704,8 +3847,12 @@
         <translation>Glaset fylls...</translation>
     </message>
     <message>
-        <source>%1 ml of milk   %2 steps/s</source>
-        <translation>%1 ml mjölk   %2 steg/s</translation>
+        <source>%1 ml of milk</source>
+        <translation>%1 ml mjölk</translation>
+    </message>
+    <message>
+        <source>Press on the tea to pour milk where you point</source>
+        <translation>Tryck på teet för att hälla mjölk där du pekar</translation>
     </message>
 </context>
 <context>
@@ -3761,6 +3908,18 @@
     <message>
         <source>A push down along the axis; below 0 it goes up</source>
         <translation>En knuff nedåt längs axeln; under 0 går den uppåt</translation>
+    </message>
+    <message>
+        <source>Milk and tea</source>
+        <translation>Mjölk och te</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Recept</translation>
+    </message>
+    <message>
+        <source>The next glass</source>
+        <translation>Nästa glas</translation>
     </message>
 </context>
 <context>
@@ -4028,6 +4187,10 @@
     <message>
         <source>Messages</source>
         <translation>Meddelanden</translation>
+    </message>
+    <message>
+        <source>Pour</source>
+        <translation>Häll</translation>
     </message>
 </context>
 <context>
@@ -4473,6 +4636,10 @@
     <message>
         <source>Save...</source>
         <translation>Spara...</translation>
+    </message>
+    <message>
+        <source>%1 - %2</source>
+        <translation>%1 - %2</translation>
     </message>
 </context>
 <context>

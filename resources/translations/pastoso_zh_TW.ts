@@ -2015,10 +2015,6 @@
         <translation>重新開始(&amp;S)</translation>
     </message>
     <message>
-        <source>The tank as it stood at the beginning</source>
-        <translation>水槽最初的樣子</translation>
-    </message>
-    <message>
         <source>Export &amp;all moments...</source>
         <translation>匯出所有時刻(&amp;A)...</translation>
     </message>
@@ -2173,6 +2169,18 @@
     <message>
         <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
         <translation>將手上的顏料稀釋成打底用的薄塗，再按一次復原</translation>
+    </message>
+    <message>
+        <source>Po&amp;ur</source>
+        <translation>倒入(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Pour the recipe&apos;s milk into the middle, or stop pouring it; press on the tea to pour where you point</source>
+        <translation>將配方的牛奶倒入中央，或停止倒入；按住茶面即可倒在所指之處</translation>
+    </message>
+    <message>
+        <source>The tank as it stood at the beginning; wind and drain stay as they are</source>
+        <translation>水槽回到最初的樣子；風與排水口保持不變</translation>
     </message>
 </context>
 <context>
@@ -3434,6 +3442,122 @@
         <source> cells</source>
         <translation> 格</translation>
     </message>
+    <message>
+        <source>Numbers</source>
+        <translation>數值</translation>
+    </message>
+    <message>
+        <source>Each number of the liquid</source>
+        <translation>液體的每個數值</translation>
+    </message>
+    <message>
+        <source>thin as water</source>
+        <translation>稀如水</translation>
+    </message>
+    <message>
+        <source>thick as honey</source>
+        <translation>濃如蜜</translation>
+    </message>
+    <message>
+        <source>Its viscosity</source>
+        <translation>液體的黏度</translation>
+    </message>
+    <message>
+        <source>calm</source>
+        <translation>平靜</translation>
+    </message>
+    <message>
+        <source>lively</source>
+        <translation>活潑</translation>
+    </message>
+    <message>
+        <source>How much of its own movement each drop keeps</source>
+        <translation>每一滴保留多少自身的運動</translation>
+    </message>
+    <message>
+        <source>warm milk</source>
+        <translation>溫牛奶</translation>
+    </message>
+    <message>
+        <source>cold milk</source>
+        <translation>冷牛奶</translation>
+    </message>
+    <message>
+        <source>Warm milk spreads under the surface, cold milk falls to the floor</source>
+        <translation>溫牛奶在液面下散開，冷牛奶沉到杯底</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>稀薄</translation>
+    </message>
+    <message>
+        <source>creamy</source>
+        <translation>濃郁</translation>
+    </message>
+    <message>
+        <source>Thin milk stays below and mixes soon, creamy milk rises in large soft clouds</source>
+        <translation>稀薄的牛奶留在下方並很快混合，濃郁的牛奶以柔軟的大團雲狀上升</translation>
+    </message>
+    <message>
+        <source>hot tea</source>
+        <translation>熱茶</translation>
+    </message>
+    <message>
+        <source>ice-cold tea</source>
+        <translation>冰茶</translation>
+    </message>
+    <message>
+        <source>Hot tea warms the milk, and it rises again; in ice-cold tea it lies where it fell</source>
+        <translation>熱茶使牛奶變暖而再度上升；在冰茶中，牛奶留在落下之處</translation>
+    </message>
+    <message>
+        <source>Cold milk</source>
+        <translation>冷牛奶</translation>
+    </message>
+    <message>
+        <source>Cold milk sinks, and comes up again in soft clouds as it warms</source>
+        <translation>冷牛奶下沉，變暖後以柔軟的雲狀再度上升</translation>
+    </message>
+    <message>
+        <source>Cold brew</source>
+        <translation>冷泡茶</translation>
+    </message>
+    <message>
+        <source>A thin stream into cold tea: it heaps up on the floor and stays there for long</source>
+        <translation>細流倒入冷茶：堆積在杯底並久久停留</translation>
+    </message>
+    <message>
+        <source>Cream</source>
+        <translation>鮮奶油</translation>
+    </message>
+    <message>
+        <source>Thick cream turns round and floats on the tea</source>
+        <translation>濃稠的鮮奶油折返並浮在茶上</translation>
+    </message>
+    <message>
+        <source>A drop</source>
+        <translation>一滴</translation>
+    </message>
+    <message>
+        <source>A little thin milk, drawn out to fingers and veils</source>
+        <translation>少許稀薄的牛奶，拉成指狀與薄紗</translation>
+    </message>
+    <message>
+        <source>Stirred</source>
+        <translation>攪拌</translation>
+    </message>
+    <message>
+        <source>The spoon goes round while the milk is poured</source>
+        <translation>倒牛奶時湯匙不停轉動</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白</translation>
+    </message>
+    <message>
+        <source>A wide stream of milk billows up and fills the glass</source>
+        <translation>寬闊的牛奶流翻湧而上，充滿杯子</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::GlassChooser</name>
@@ -3463,6 +3587,18 @@
     <message>
         <source>%1 of %2 s</source>
         <translation>%1 / %2 秒</translation>
+    </message>
+    <message>
+        <source>%1   paused</source>
+        <translation>%1   已暫停</translation>
+    </message>
+    <message>
+        <source>%1   %2 steps/s</source>
+        <translation>%1   %2 步/秒</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暫停</translation>
     </message>
 </context>
 <context>
@@ -3567,6 +3703,12 @@
             <numerusform>%1 / %n 次取樣</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n sample(s) in %1 s: too few to take all noise out</source>
+        <translation>
+            <numerusform>%n 次取樣，%1 秒：太少，無法除去所有雜訊</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::TankPage</name>
@@ -3587,8 +3729,8 @@
         <translation>正在注滿水槽...</translation>
     </message>
     <message>
-        <source>%1 l   %2 steps/s</source>
-        <translation>%1 l   %2 步/秒</translation>
+        <source>%1 l</source>
+        <translation>%1 公升</translation>
     </message>
 </context>
 <context>
@@ -3697,8 +3839,12 @@
         <translation>正在斟茶...</translation>
     </message>
     <message>
-        <source>%1 ml of milk   %2 steps/s</source>
-        <translation>牛奶 %1 毫升   每秒 %2 步</translation>
+        <source>%1 ml of milk</source>
+        <translation>牛奶 %1 毫升</translation>
+    </message>
+    <message>
+        <source>Press on the tea to pour milk where you point</source>
+        <translation>按住茶面，在所指之處倒入牛奶</translation>
     </message>
 </context>
 <context>
@@ -3754,6 +3900,18 @@
     <message>
         <source>A push down along the axis; below 0 it goes up</source>
         <translation>沿軸向下的推力；低於 0 則向上</translation>
+    </message>
+    <message>
+        <source>Milk and tea</source>
+        <translation>牛奶與茶</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>The next glass</source>
+        <translation>下一杯</translation>
     </message>
 </context>
 <context>
@@ -4021,6 +4179,10 @@
     <message>
         <source>Messages</source>
         <translation>訊息</translation>
+    </message>
+    <message>
+        <source>Pour</source>
+        <translation>倒入</translation>
     </message>
 </context>
 <context>
@@ -4464,6 +4626,10 @@
     <message>
         <source>Save...</source>
         <translation>儲存...</translation>
+    </message>
+    <message>
+        <source>%1 - %2</source>
+        <translation>%1 - %2</translation>
     </message>
 </context>
 <context>

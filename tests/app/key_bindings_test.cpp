@@ -84,6 +84,8 @@ TEST(CommandNames, AreEachOfOneCommand) {
         EXPECT_TRUE(names.insert(name_of(text.command)).second) << name_of(text.command);
         EXPECT_EQ(command_named(name_of(text.command)), text.command);
     }
+    EXPECT_EQ(command_named("tea_pause"), Command::LiquidPause)
+        << "keys of before are the painter's still";
     EXPECT_EQ(command_named("paint_the_ceiling"), std::nullopt);
 }
 
@@ -125,12 +127,12 @@ TEST(KeyBindings, AKeyIsTakenFromTheOwnOfAnother) {
 TEST(KeyBindings, OneKeyMayMeanSomethingElseInAnotherMode) {
     KeyBindings bindings;
     EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Painting), Command::LightPanel);
-    EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Tea), Command::TeaPause);
+    EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Tea), Command::LiquidPause);
     bindings.give(Command::TeaRender, keys("D; F4"));
     EXPECT_EQ(bindings.holder(QKeySequence("D"), Mode::Painting), Command::DryNow);
     EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Painting), Command::LightPanel);
     EXPECT_EQ(bindings.holder(QKeySequence("F4"), Mode::Tea), Command::TeaRender);
-    EXPECT_EQ(bindings.keys(Command::TeaPause), Keys());
+    EXPECT_EQ(bindings.keys(Command::LiquidPause), Keys());
     // What is given everywhere has its keys in both.
     bindings.give(Command::Quit, keys("D"));
     EXPECT_EQ(bindings.keys(Command::DryNow), Keys());

@@ -18,6 +18,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -63,7 +64,7 @@ class TankWindow : public WindowTest {
     }
 
     void pause() {
-        if (!liquid().status().paused) action(Command::TeaPause)->trigger();
+        if (!liquid().status().paused) action(Command::LiquidPause)->trigger();
         liquid().wait_until_applied();
         QApplication::processEvents();
     }
@@ -195,6 +196,42 @@ TEST_F(TankWindow, KeysAddBallsOpenTheDrainAndTurnTheWind) {
     EXPECT_FALSE(view().velocity_shown());
 }
 
+TEST_F(TankWindow, StartingAgainKeepsWindAndDrain) {
+    open_small_tank();
+    key(Qt::Key_2);
+    key(Qt::Key_3);
+    key(Qt::Key_Left);
+    wait_for([&] { return liquid().status().last_step > 2; });
+    const session::TankStatus before = liquid().status();
+    EXPECT_TRUE(before.drains_open);
+    EXPECT_TRUE(before.wind.on);
+    action(Command::TankRestart)->trigger();
+    liquid().wait_until_applied();
+    const session::TankStatus after = liquid().status();
+    EXPECT_EQ(after.glass, before.glass + 1);
+    EXPECT_EQ(after.wind, before.wind);
+    EXPECT_TRUE(after.drains_open);
+    QApplication::processEvents();
+    EXPECT_TRUE(action(Command::TankWind)->isChecked());
+    EXPECT_TRUE(action(Command::TankDrain)->isChecked());
+}
+
+TEST_F(TankWindow, WordsMoveTheNumbersBelow) {
+    open_small_tank();
+    const auto find = [&](const char* name) {
+        return tank().page().findChild<QWidget*>(QString::fromLatin1(name));
+    };
+    auto* place = qobject_cast<QSlider*>(find("thin_to_thick"));
+    auto* number = qobject_cast<QDoubleSpinBox*>(find("viscosity_m2_s"));
+    ASSERT_NE(place, nullptr);
+    ASSERT_NE(number, nullptr);
+    EXPECT_FALSE(number->isVisible()) << "the numbers are folded";
+    place->setValue(place->maximum());
+    EXPECT_NEAR(number->value(), 5000.0, 1.0);
+    number->setValue(1.0);
+    EXPECT_EQ(place->value(), place->minimum());
+}
+
 TEST_F(TankWindow, APressOnTheLiquidLetsABallFall) {
     open_small_tank();
     pause();
@@ -223,9 +260,9 @@ TEST_F(TankWindow, TheTimelineShowsAnyMoment) {
     time->setValue(4);
     liquid().wait_until_applied();
     wait_for([&] { return view().shown() != nullptr && view().shown()->seen.step == 4; });
-    EXPECT_TRUE(action(Command::TeaPause)->isChecked());
+    EXPECT_TRUE(action(Command::LiquidPause)->isChecked());
     const int last = liquid().status().last_step;
-    action(Command::TeaPause)->trigger();
+    action(Command::LiquidPause)->trigger();
     wait_for([&] { return liquid().status().last_step > last; });
 }
 
@@ -274,7 +311,7 @@ TEST_F(TankWindow, PicturesAndSurfacesOfEveryStepAreWritten) {
     open_small_tank();
     make_view_small();
     std::ofstream(file("liquid_0006.png")) << "from before";
-    action(Command::TeaFullSpeed)->trigger();
+    action(Command::LiquidFullSpeed)->trigger();
     tank().record(main::Recorded::Pictures, folder());
     tank().record(main::Recorded::Surfaces, folder());
     const main::TankRecorder& recorder = tank().recorder();

@@ -35,6 +35,7 @@ void advance(TeaSession& session, int steps) {
 
 TEST(TeaSession, PoursTheMilkOfTheRecipe) {
     TeaSession session(small_glass(), true, [] {});
+    session.pour_recipe(true);
     advance(session, 10);
     const TeaStatus status = session.status();
     EXPECT_TRUE(status.paused);
@@ -53,8 +54,70 @@ TEST(TeaSession, PoursTheMilkOfTheRecipe) {
         1e-4F);
 }
 
+/// As MilkTea pours it by itself: to the last bit.
+TEST(TeaSession, TheRecipeIsThatOfTheEngine) {
+    TeaSession session(small_glass(), true, [] {});
+    session.pour_recipe(true);
+    advance(session, 9);
+    liquid::MilkTea tea(small_glass());
+    core::ThreadPool pool;
+    for (int step = 0; step < 9; ++step)
+        tea.step(pool);
+    const TeaFrame seen = session.snapshot()->seen;
+    ASSERT_EQ(seen.parcels.size(), tea.parcels().size());
+    for (std::size_t i = 0; i < seen.parcels.size(); ++i)
+        EXPECT_EQ(seen.parcels[i].position_m, tea.parcels()[i].position_m);
+    EXPECT_EQ(seen.dissolved.values(), tea.dissolved().values());
+}
+
+TEST(TeaSession, ClearTeaRestsUntilSomethingIsDoneToIt) {
+    TeaSession session(small_glass(), false, [] {});
+    session.set_full_speed(true);
+    for (int turn = 0; turn < 20; ++turn) {
+        session.set_numbers(small_glass());
+        session.wait_until_applied();
+        EXPECT_EQ(session.status().last_step, 0);
+    }
+    EXPECT_TRUE(session.status().at_rest);
+    EXPECT_FALSE(session.status().paused);
+    session.pour(glm::vec2(0.06F, 0.05F));
+    wait_for_step(session, 3);
+    session.pour(std::nullopt);
+    session.wait_until_applied();
+    EXPECT_FALSE(session.status().at_rest);
+    session.new_glass(small_glass());
+    session.wait_until_applied();
+    EXPECT_TRUE(session.status().at_rest);
+    TeaForce force;
+    force.on = true;
+    session.set_force(force);
+    wait_for_step(session, 3);
+    EXPECT_EQ(session.status().milk_m3, 0.0);
+}
+
+TEST(TeaSession, TheRecipeIsPouredAsOftenAsOneLikes) {
+    TeaSession session(small_glass(), true, [] {});
+    for (int times = 1; times <= 2; ++times) {
+        session.pour_recipe(true);
+        session.wait_until_applied();
+        EXPECT_TRUE(session.status().recipe_flows);
+        advance(session, 10);
+        EXPECT_FALSE(session.status().recipe_flows);
+        EXPECT_NEAR(session.status().milk_m3, times * small_glass().milk_m3, 1e-9);
+    }
+    session.pour_recipe(true);
+    session.pour_recipe(false);
+    // What has ended does not go on when it would last longer.
+    liquid::TeaSettings longer = small_glass();
+    longer.pour_s = 2.0;
+    session.set_numbers(longer);
+    advance(session, 10);
+    EXPECT_NEAR(session.status().milk_m3, 2.0 * small_glass().milk_m3, 1e-9);
+}
+
 TEST(TeaSession, WhatIsSaidIsSaidOfWhatIsSeen) {
     TeaSession session(small_glass(), false, [] {});
+    session.pour_recipe(true);
     session.set_full_speed(true);
     session.wait_until_applied();
     for (int seen = 0; seen < 12;) {
@@ -66,6 +129,7 @@ TEST(TeaSession, WhatIsSaidIsSaidOfWhatIsSeen) {
 
 TEST(TeaSession, StandsStillWhilePaused) {
     TeaSession session(small_glass(), true, [] {});
+    session.pour_recipe(true);
     // After each of them the session would make a step if it could.
     for (int turn = 0; turn < 20; ++turn) {
         session.set_full_speed(turn % 2 == 0);
@@ -83,6 +147,7 @@ TEST(TeaSession, AClickPoursHoweverShortItIs) {
     settings.parcels = 4;
     settings.pour_s = 0.02;
     TeaSession session(settings, true, [] {});
+    session.pour_recipe(true);
     advance(session, 2);
     const double before_m3 = session.status().milk_m3;
     session.set_paused(false);
@@ -139,6 +204,7 @@ TEST(TeaSession, WhatCannotBeIsToldAndChangesNothing) {
 
 TEST(TeaSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
     TeaSession session(small_glass(), true, [] {});
+    session.pour_recipe(true);
     session.advance(20);
     session.show(7);
     session.wait_until_applied();
@@ -155,6 +221,7 @@ TEST(TeaSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
 
 TEST(TeaSession, ANewGlassBeginsAtNothing) {
     TeaSession session(small_glass(), true, [] {});
+    session.pour_recipe(true);
     session.advance(5);
     session.new_glass(small_glass());
     session.wait_until_applied();

@@ -25,7 +25,7 @@ class TeaViewBesideAPicture : public WindowTest {
         };
         action(commands::Command::MilkTea)->trigger();
         session::TeaSession& glass = parts().tea.session();
-        if (!glass.status().paused) action(commands::Command::TeaPause)->trigger();
+        if (!glass.status().paused) action(commands::Command::LiquidPause)->trigger();
         glass.wait_until_applied();
         settle();
     }

@@ -2,21 +2,30 @@
 #include "document/painting_state.hpp"
 #include "glass/liquid_picture_dialog.hpp"
 #include "glass/tea_page.hpp"
+#include "liquid_files/tea_json.hpp"
+#include "main/liquids/tank_mode.hpp"
 #include "main/liquids/tea_mode.hpp"
 #include "main/window_parts.hpp"
+#include "panels/parts/gallery.hpp"
 #include "window_fixture.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTest>
 #include <QToolBar>
+#include <QToolButton>
+#include <glm/geometric.hpp>
 
 namespace pastoso::tests {
 namespace {
@@ -30,21 +39,46 @@ class TeaWindow : public WindowTest {
     session::TeaSession& glass() { return tea().session(); }
     glass::TeaView& view() { return tea().page().view(); }
 
-    /// Enters the mode with a glass that a test can wait for, and pauses it.
-    void enter() {
+    /// Enters the mode with a glass that a test can wait for.
+    void enter_at_rest() {
         action(Command::MilkTea)->trigger();
-        liquid::TeaSettings settings;
-        settings.cells = 16;
-        settings.parcels = 400;
-        settings.pour_s = 0.1;
-        tea().page().panel().show_settings(settings);
+        tea().page().panel().show_settings(small_glass());
         action(Command::TeaNewGlass)->trigger();
         glass().wait_until_applied();
         wait_for([&] { return view().shown() != nullptr && view().shown()->settings.cells == 16; });
     }
 
+    /// The same, and pours the recipe.
+    void enter() {
+        enter_at_rest();
+        action(Command::TeaPour)->trigger();
+        glass().wait_until_applied();
+    }
+
+    static liquid::TeaSettings small_glass() {
+        liquid::TeaSettings settings;
+        settings.cells = 16;
+        settings.parcels = 400;
+        settings.pour_s = 0.1;
+        return settings;
+    }
+
+    template <class Widget>
+    Widget& find(const char* name) {
+        auto* found = tea().page().findChild<Widget*>(QString::fromLatin1(name));
+        EXPECT_NE(found, nullptr) << name;
+        return *found;
+    }
+
+    /// What stands over the view.
+    std::string note() {
+        QApplication::processEvents();
+        const auto& label = find<QLabel>("canvas_note");
+        return label.isVisible() ? label.text().toStdString() : "";
+    }
+
     void pause() {
-        if (!glass().status().paused) action(Command::TeaPause)->trigger();
+        if (!glass().status().paused) action(Command::LiquidPause)->trigger();
         glass().wait_until_applied();
         QApplication::processEvents();
     }
@@ -114,6 +148,122 @@ TEST_F(TeaWindow, TheGlassWaitsToo) {
     EXPECT_EQ(glass().status().glass, 2);
 }
 
+TEST_F(TeaWindow, OpensAtRestWithPourInSight) {
+    action(Command::MilkTea)->trigger();
+    wait_for([&] { return view().shown() != nullptr; });
+    glass().wait_until_applied();
+    EXPECT_TRUE(glass().status().at_rest);
+    EXPECT_FALSE(glass().status().paused);
+    EXPECT_EQ(glass().status().last_step, 0);
+    EXPECT_EQ(view().shown()->settings.parcels, glass::kLiveParcels);
+    EXPECT_EQ(note(), "Press on the tea to pour milk where you point");
+    EXPECT_FALSE(action(Command::TeaPour)->isChecked());
+    for (const QAction* shown : {action(Command::TeaPour), action(Command::TeaForce)}) {
+        const auto buttons = tea().page().panel().findChildren<QToolButton*>();
+        const auto button = std::ranges::find(buttons, shown, &QToolButton::defaultAction);
+        ASSERT_NE(button, buttons.end());
+        EXPECT_FALSE((*button)->visibleRegion().isEmpty()) << shown->text().toStdString();
+    }
+    EXPECT_FALSE(find<QDoubleSpinBox>("viscosity_m2_s").isVisible()) << "the numbers are folded";
+}
+
+TEST_F(TeaWindow, PourPoursTheRecipeAndStops) {
+    enter_at_rest();
+    action(Command::TeaPour)->trigger();
+    wait_for([&] { return glass().status().milk_m3 > 0.99 * small_glass().milk_m3; });
+    wait_for([&] { return !action(Command::TeaPour)->isChecked(); });
+    liquid::TeaSettings longer = small_glass();
+    longer.pour_s = 1000.0;
+    tea().page().panel().show_settings(longer);
+    action(Command::TeaNewGlass)->trigger();
+    action(Command::TeaPour)->trigger();
+    wait_for([&] { return glass().status().last_step > 3 && action(Command::TeaPour)->isChecked(); });
+    action(Command::TeaPour)->trigger();
+    glass().wait_until_applied();
+    EXPECT_FALSE(glass().status().recipe_flows);
+}
+
+TEST_F(TeaWindow, ARecipeIsPouredByItsPicture) {
+    enter_at_rest();
+    auto& recipes = find<panels::Gallery>("tea_recipes");
+    ASSERT_EQ(static_cast<std::size_t>(recipes.count()), liquid_files::bundled_tea_names().size());
+    const std::vector<glass::TeaRecipe> all = glass::tea_recipes();
+    const auto cream = std::ranges::find(all, QStringLiteral("cream"), &glass::TeaRecipe::scene);
+    ASSERT_NE(cream, all.end());
+    const int number = static_cast<int>(cream - all.begin());
+    EXPECT_FALSE(recipes.model()->index(number, 0).data(Qt::DecorationRole).value<QPixmap>().isNull());
+    pause();
+    QTest::mouseClick(recipes.viewport(), Qt::LeftButton, {}, recipes.middle(number));
+    wait_for([&] { return glass().status().milk_m3 > 0.0; });
+    EXPECT_FALSE(glass().status().paused);
+    EXPECT_EQ(glass().snapshot()->settings.fat_m_s2, liquid_files::read_tea("cream").fat_m_s2);
+    EXPECT_EQ(told(), "");
+}
+
+TEST_F(TeaWindow, WordsMoveTheNumbersBelow) {
+    enter_at_rest();
+    auto& place = find<QSlider>("warm_to_cold");
+    const double usual = small_glass().cold_m_s2;
+    place.setValue(place.maximum());
+    glass().wait_until_applied();
+    const double coldest = glass().snapshot()->settings.cold_m_s2;
+    EXPECT_GT(coldest, usual);
+    EXPECT_NEAR(find<QDoubleSpinBox>("cold_m_s2").value(), coldest, 0.006);
+    place.setValue(place.minimum());
+    glass().wait_until_applied();
+    EXPECT_LT(glass().snapshot()->settings.cold_m_s2, liquid::TeaSettings{}.fat_m_s2) << "it floats";
+    EXPECT_EQ(glass().status().glass, 2) << "the glass stays";
+    find<QDoubleSpinBox>("cold_m_s2").setValue(usual);
+    EXPECT_NEAR(place.value(), 0.5 * place.maximum(), 0.02 * place.maximum());
+}
+
+TEST_F(TeaWindow, APauseIsSeenAndPouringEndsIt) {
+    enter();
+    EXPECT_EQ(note(), "");
+    pause();
+    EXPECT_EQ(note(), "Paused");
+    EXPECT_TRUE(std::ranges::any_of(
+        tea().page().findChildren<QLabel*>(QStringLiteral("reading")),
+        [](const QLabel* label) { return label->text().endsWith(QStringLiteral("paused")); }));
+    const double before_m3 = glass().status().milk_m3;
+    const QPointF place = view().widget_position({0.05F, 0.05F});
+    mouse(QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
+    wait_for([&] { return glass().status().milk_m3 > before_m3; });
+    mouse(QEvent::MouseButtonRelease, place, Qt::LeftButton, Qt::NoButton);
+    EXPECT_EQ(note(), "");
+    EXPECT_FALSE(action(Command::LiquidPause)->isChecked());
+}
+
+TEST_F(TeaWindow, TheTitleSaysWhereOneIs) {
+    const QString painting = window().windowTitle();
+    enter();
+    EXPECT_EQ(window().windowTitle(), QStringLiteral("Milk tea - ") + painting);
+    action(Command::GlassTank)->trigger();
+    EXPECT_EQ(window().windowTitle(), QStringLiteral("Glass tank - ") + painting);
+    action(Command::GlassTank)->trigger();
+    EXPECT_EQ(window().windowTitle(), painting);
+}
+
+/// Threads of this process.
+std::size_t threads() {
+    const std::filesystem::directory_iterator all("/proc/self/task");
+    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+}
+
+TEST_F(TeaWindow, NothingOfLiquidsIsThereWhileOnePaints) {
+    mouse_stroke(line_mm({15, 20}, {45, 20}, 10));
+    settle();
+    const std::size_t painting = threads();
+    EXPECT_TRUE(window().findChildren<glass::GlassPage*>().empty());
+    EXPECT_FALSE(tea().ready());
+    EXPECT_FALSE(parts().tank.ready());
+    action(Command::MilkTea)->trigger();
+    EXPECT_TRUE(tea().ready());
+    EXPECT_FALSE(parts().tank.ready());
+    EXPECT_EQ(window().findChildren<glass::GlassPage*>().size(), 1);
+    EXPECT_GT(threads(), painting) << "the liquid's threads begin with it";
+}
+
 TEST_F(TeaWindow, APressOnTheTeaPours) {
     enter();
     wait_for([&] { return glass().status().last_s > 0.3; });
@@ -128,10 +278,25 @@ TEST_F(TeaWindow, APressOnTheTeaPours) {
     EXPECT_FALSE(glass().status().pouring);
     pause();
     const double poured_m3 = glass().status().milk_m3;
-    action(Command::TeaPause)->trigger();
+    action(Command::LiquidPause)->trigger();
     const int step = glass().status().last_step;
     wait_for([&] { return glass().status().last_step > step + 3; });
     EXPECT_EQ(glass().status().milk_m3, poured_m3);
+}
+
+TEST_F(TeaWindow, MilkFallsWhereOnePoints) {
+    enter_at_rest();
+    const glm::vec2 at_m(0.065F, 0.045F);
+    const QPointF place = view().widget_position(at_m);
+    mouse(QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
+    mouse(QEvent::MouseButtonRelease, place, Qt::LeftButton, Qt::NoButton);
+    glass().wait_until_applied();
+    pause();
+    const auto snapshot = glass().snapshot();
+    ASSERT_FALSE(snapshot->seen.parcels.empty());
+    for (const liquid::Parcel& parcel : snapshot->seen.parcels)
+        EXPECT_LT(glm::distance(glm::vec2(parcel.position_m), at_m),
+                  1.5F * static_cast<float>(snapshot->settings.pour_radius_m));
 }
 
 TEST_F(TeaWindow, APenPoursToo) {
@@ -155,7 +320,7 @@ TEST_F(TeaWindow, TheOtherButtonsTurnTheGlass) {
     mouse(QEvent::MouseButtonRelease, place + QPointF(60, 20), Qt::RightButton, Qt::NoButton);
     EXPECT_NE(view().camera(), before);
     EXPECT_FALSE(glass().status().pouring);
-    action(Command::TeaFrontView)->trigger();
+    action(Command::LiquidFrontView)->trigger();
     EXPECT_EQ(view().camera(), before);
 }
 
@@ -188,11 +353,11 @@ TEST_F(TeaWindow, KeysStirPauseAndMoveTheAxis) {
 TEST_F(TeaWindow, OneKeyMeansOneThingInEachMode) {
     const commands::KeyBindings& keys = studio().commands().keys();
     EXPECT_EQ(keys.holder(QKeySequence("F4"), commands::Mode::Painting), Command::LightPanel);
-    EXPECT_EQ(keys.holder(QKeySequence("F4"), commands::Mode::Tea), Command::TeaPause);
-    EXPECT_FALSE(action(Command::TeaPause)->isEnabled());
+    EXPECT_EQ(keys.holder(QKeySequence("F4"), commands::Mode::Tea), Command::LiquidPause);
+    EXPECT_FALSE(action(Command::LiquidPause)->isEnabled());
     EXPECT_TRUE(action(Command::LightPanel)->isEnabled());
     enter();
-    EXPECT_TRUE(action(Command::TeaPause)->isEnabled());
+    EXPECT_TRUE(action(Command::LiquidPause)->isEnabled());
     EXPECT_FALSE(action(Command::LightPanel)->isEnabled());
     EXPECT_FALSE(action(Command::LightPanel)->isVisible());
 }
@@ -222,10 +387,10 @@ TEST_F(TeaWindow, TheTimelineShowsAnyMoment) {
     time->setValue(4);
     glass().wait_until_applied();
     wait_for([&] { return view().shown() != nullptr && view().shown()->seen.step == 4; });
-    EXPECT_TRUE(action(Command::TeaPause)->isChecked());
+    EXPECT_TRUE(action(Command::LiquidPause)->isChecked());
     EXPECT_EQ(time->value(), 4);
     const int last = glass().status().last_step;
-    action(Command::TeaPause)->trigger();
+    action(Command::LiquidPause)->trigger();
     wait_for([&] { return glass().status().last_step > last; });
 }
 

@@ -166,7 +166,8 @@ TEST_F(CliTea, ScenesThatComeWithTheProgramAreGivenByName) {
     ASSERT_EQ(tea({"cold-brew", "--stats", path("cold-brew.json")}).status, 0);
     EXPECT_EQ(json("usual.json").at("state_hash"), json("plain.json").at("state_hash"));
     EXPECT_NE(json("cold-brew.json").at("state_hash"), json("plain.json").at("state_hash"));
-    EXPECT_THAT(run_cli({"tea", "--help"}).output, HasSubstr("cold-brew, usual."));
+    EXPECT_THAT(run_cli({"tea", "--help"}).output,
+                HasSubstr("cloud, cold-brew, cream, drops, stirred, usual."));
     expect_refusal({"tea", "earl-grey", "--cache", path("kept")}, 1, "There is no scene \"earl-grey\"");
 }
 

@@ -86,7 +86,7 @@ TEST(TeaFormatPage, ScenesThatComeWithTheProgramAreListedAndRead) {
     } catch (const core::InputError& error) {
         EXPECT_STREQ(error.what(),
                      "There is no scene \"earl-grey\"; give a file ending in .json, or one of: "
-                     "cold-brew, usual.");
+                     "cloud, cold-brew, cream, drops, stirred, usual.");
     }
 }
 

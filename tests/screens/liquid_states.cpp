@@ -57,6 +57,7 @@ void take_tea(Camera& camera) {
     main::MainWindow& window = camera.window();
     main::TeaMode& tea = window.parts().tea;
     tea.enter();
+    window.studio().commands().action(Command::TeaPour)->trigger();
     pass_time();
     wait_for_liquid(camera, tea, 9.0, QStringLiteral("milk-tea"));
     camera.save(window.grab(), QStringLiteral("milk-tea"));

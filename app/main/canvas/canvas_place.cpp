@@ -28,7 +28,8 @@ void CanvasPlace::add(QWidget* page) {
     pages_.emplace_back(page);
 }
 
-void CanvasPlace::take(QWidget* page, commands::Mode mode, std::function<void()> put_away) {
+void CanvasPlace::take(QWidget* page, commands::Mode mode, const QString& name,
+                       std::function<void()> put_away) {
     if (page_ == page) return;
     if (page_ == nullptr) {
         Q_EMIT taking();
@@ -42,6 +43,7 @@ void CanvasPlace::take(QWidget* page, commands::Mode mode, std::function<void()>
     put_away_ = std::move(put_away);
     page_->show();
     studio_.commands().set_mode(mode);
+    Q_EMIT taken_by(name);
 }
 
 void CanvasPlace::give_back() {
@@ -53,6 +55,7 @@ void CanvasPlace::give_back() {
     bring_panels_back();
     studio_.session().set_paused(studio_.commands().action(Command::Pause)->isChecked());
     studio_.canvas().setFocus();
+    Q_EMIT taken_by({});
 }
 
 /// The menus and the status line stay.

@@ -21,10 +21,10 @@ class CanvasPlace : public QObject {
   public:
     CanvasPlace(Studio& studio, panels::StatusReadings* readings);
 
-    /// Shows the page in place of the canvas, in a mode of its own; the painting stands still, as if it
-    /// was paused, and its journal goes on. What stands there already is put away first. `put_away` is
-    /// called when the page goes again.
-    void take(QWidget* page, commands::Mode mode, std::function<void()> put_away);
+    /// Shows the page in place of the canvas, in a mode of its own and by its name; the painting stands
+    /// still, as if it was paused, and its journal goes on. What stands there already is put away first.
+    /// `put_away` is called when the page goes again.
+    void take(QWidget* page, commands::Mode mode, const QString& name, std::function<void()> put_away);
 
     /// The painting comes back; nothing happens when it is there.
     void give_back();
@@ -35,6 +35,8 @@ class CanvasPlace : public QObject {
   Q_SIGNALS:
     /// The canvas is about to go.
     void taking();
+    /// What stands there now; empty: the canvas.
+    void taken_by(const QString& name);
 
   private:
     void put_panels_away();

@@ -135,8 +135,13 @@ void ProjectFiles::fill_recent() {
 void ProjectFiles::show_title() {
     const document::CanvasSettings& canvas = studio_.session().canvas();
     const QString name = path_.isEmpty() ? tr("Canvas") : QFileInfo(path_).fileName();
-    studio_.window().setWindowTitle(
-        tr("%1[*] %2 × %3 mm").arg(name).arg(canvas.width_mm).arg(canvas.height_mm));
+    const QString painting = tr("%1[*] %2 × %3 mm").arg(name).arg(canvas.width_mm).arg(canvas.height_mm);
+    studio_.window().setWindowTitle(place_.isEmpty() ? painting : tr("%1 - %2").arg(place_, painting));
+}
+
+void ProjectFiles::show_place(const QString& name) {
+    place_ = name;
+    show_title();
 }
 
 void ProjectFiles::open_painting(const QString& path) {

@@ -89,6 +89,8 @@ class ProjectFiles : public QObject {
 
     /// The star of a painting that is not saved follows the name.
     void show_title();
+    /// In the title: what stands in the canvas' place; empty: the canvas.
+    void show_place(const QString& name);
 
   Q_SIGNALS:
     /// The painting is going to be kept as it is: what waits for the hand to rest is to be done now.
@@ -114,7 +116,7 @@ class ProjectFiles : public QObject {
 
     Studio& studio_;
     const bool keeps_journal_;
-    QString path_;
+    QString path_, place_;
     std::optional<commands::FileStamp> stamp_;  ///< of that file as the painting was read or written
     std::int64_t saved_changes_ = 0;
     bool watched_ = false;  ///< a recording is being painted that needs no saving

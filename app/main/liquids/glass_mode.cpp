@@ -33,10 +33,10 @@ void GlassMode::connect_commands() {
         picture().show();
         picture().raise();
     });
-    on_here(Command::TeaExportMesh, [this](bool) { ask_export(); });
-    on_here(Command::TeaPause, [this](bool paused) { session().set_paused(paused); });
-    on_here(Command::TeaFullSpeed, [this](bool full) { session().set_full_speed(full); });
-    on_here(Command::TeaFrontView, [this](bool) { page().view().look_from_front(); });
+    on_here(Command::LiquidExportMesh, [this](bool) { ask_export(); });
+    on_here(Command::LiquidPause, [this](bool paused) { session().set_paused(paused); });
+    on_here(Command::LiquidFullSpeed, [this](bool full) { session().set_full_speed(full); });
+    on_here(Command::LiquidFrontView, [this](bool) { page().view().look_from_front(); });
 }
 
 void GlassMode::on_here(Command command, std::function<void(bool)> what) {
@@ -47,9 +47,9 @@ void GlassMode::on_here(Command command, std::function<void(bool)> what) {
 
 glass::GlassActions GlassMode::page_actions() const {
     return {.back = action(commands_.enter),
-            .pause = action(Command::TeaPause),
-            .full_speed = action(Command::TeaFullSpeed),
-            .front = action(Command::TeaFrontView)};
+            .pause = action(Command::LiquidPause),
+            .full_speed = action(Command::LiquidFullSpeed),
+            .front = action(Command::LiquidFrontView)};
 }
 
 void GlassMode::add_page(std::initializer_list<Command> arrows) {
@@ -67,10 +67,11 @@ void GlassMode::add_page(std::initializer_list<Command> arrows) {
 void GlassMode::enter() {
     if (active_) return;
     make_ready();
-    place_.take(&page(), commands_.mode, [this] { put_away(); });
+    ready_ = true;
+    place_.take(&page(), commands_.mode, words_.name, [this] { put_away(); });
     active_ = true;
     action(commands_.enter)->setChecked(true);
-    action(Command::TeaPause)->setChecked(paused_);
+    action(Command::LiquidPause)->setChecked(paused_);
     session().set_paused(paused_);
     page().view().setFocus();
 }
@@ -82,10 +83,16 @@ void GlassMode::leave() {
 /// The hand finds the pause as it left it; only time stands still while nobody looks.
 void GlassMode::put_away() {
     active_ = false;
-    paused_ = action(Command::TeaPause)->isChecked();
+    paused_ = action(Command::LiquidPause)->isChecked();
     session().set_paused(true);
     if (picture_ != nullptr) picture_->hide();
     action(commands_.enter)->setChecked(false);
+}
+
+void GlassMode::go_on() {
+    if (!action(Command::LiquidPause)->isChecked()) return;
+    action(Command::LiquidPause)->setChecked(false);
+    session().set_paused(false);
 }
 
 // ---- what is published
@@ -99,8 +106,8 @@ bool GlassMode::tell_refusals() {
 
 void GlassMode::show_running(const session::LiquidStatus& status) {
     if (!active_) return;
-    action(Command::TeaPause)->setChecked(status.paused);
-    action(Command::TeaFullSpeed)->setChecked(status.full_speed);
+    action(Command::LiquidPause)->setChecked(status.paused);
+    action(Command::LiquidFullSpeed)->setChecked(status.full_speed);
 }
 
 // ---- pictures and surfaces
@@ -114,7 +121,7 @@ glass::LiquidPictureDialog& GlassMode::picture() {
     connect(picture_.get(), &glass::LiquidPictureDialog::wanted_on_canvas, this,
             [this](const pigment::Picture& picture) {
                 leave();
-                pictures_.paint_picture(picture, words_.layer);
+                pictures_.paint_picture(picture, words_.name);
             });
     return *picture_;
 }

@@ -28,8 +28,8 @@ struct GlassCommands {
 
 /// What a mode calls its liquid.
 struct GlassWords {
+    QString name;  ///< in the window's title, and of a picture's layer on the canvas
     glass::LiquidPictureWords picture;
-    QString layer;  ///< of the picture on the canvas
     QString export_title, export_file;
     QString exported;  ///< a sentence with %1 for the file
 };
@@ -43,7 +43,9 @@ class GlassMode : public QObject {
     void enter();
     void leave();
 
-    // There are none before the first enter().
+    /// Whether it has been entered: before, there is nothing of the liquid.
+    bool ready() const { return ready_; }
+    // There are none before that.
     virtual session::LiquidSession& session() = 0;
     virtual glass::GlassPage& page() = 0;
 
@@ -82,6 +84,9 @@ class GlassMode : public QObject {
     /// keyboard; elsewhere they go from value to value.
     void add_page(std::initializer_list<commands::Command> arrows);
 
+    /// From a pause: what the hand does now is to be seen.
+    void go_on();
+
     /// Tells what was refused since the last call; whether anything was.
     bool tell_refusals();
 
@@ -98,7 +103,7 @@ class GlassMode : public QObject {
     const GlassCommands commands_;
     const GlassWords words_;
     std::unique_ptr<glass::LiquidPictureDialog> picture_;
-    bool active_ = false;
+    bool active_ = false, ready_ = false;
     bool paused_ = false;  ///< as the hand left it
     BackgroundExport export_;
 };

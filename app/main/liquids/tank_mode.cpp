@@ -52,6 +52,7 @@ TankMode::TankMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place)
 
 GlassWords TankMode::words() {
     return {
+        .name = tr("Glass tank"),
         .picture = {.name = QStringLiteral("tank_picture"),
                     .title = tr("Picture of the tank"),
                     .hint = tr("The tank as it is seen in the window, traced along the light's ways "
@@ -59,7 +60,6 @@ GlassWords TankMode::words() {
                     .file = QStringLiteral("tank.png"),
                     .size = {960, 720},
                     .has_milk_body = false},
-        .layer = tr("Glass tank"),
         .export_title = tr("Export the liquid's surface"),
         .export_file = QStringLiteral("liquid_0001.obj"),
         .exported = tr("The liquid's surface is in %1."),
@@ -72,7 +72,7 @@ void TankMode::connect_commands() {
     on_here(Command::TankFalling, [this](bool) { choose(QString::fromLatin1(kFalling)); });
     on_here(Command::TankTwoLiquids, [this](bool) { choose(QString::fromLatin1(kTwoLiquids)); });
     on_here(Command::TankOpenScene, [this](bool) { ask_open(); });
-    on_here(Command::TankRestart, [this](bool) { session_->new_tank(scene_); });
+    on_here(Command::TankRestart, [this](bool) { session_->start_again(scene_); });
     on_here(Command::TankBall, [this](bool) { drop_ball(0.5F * glm::vec2(scene_.size_m())); });
     on_here(Command::TankDrain, [this](bool open) { session_->open_drains(open); });
     on_here(Command::TankVelocity, [this](bool shown) { page_->view().show_velocity(shown); });
@@ -107,7 +107,7 @@ void TankMode::make_page() {
                                  .stronger = action(Command::TankWindStronger),
                                  .weaker = action(Command::TankWindWeaker),
                                  .velocity = action(Command::TankVelocity),
-                                 .export_mesh = action(Command::TeaExportMesh),
+                                 .export_mesh = action(Command::LiquidExportMesh),
                                  .export_all = action(Command::TankExportAll),
                                  .render = action(Command::TankRender),
                                  .record_pictures = action(Command::TankRecordPictures),

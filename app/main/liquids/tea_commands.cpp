@@ -23,13 +23,14 @@ using commands::Command;
 constexpr double kAxisStep_m = 0.002;
 
 constexpr std::pair<Command, const char*> kButtonWords[] = {
+    {Command::TeaPour, QT_TR_NOOP("Pour")},
     {Command::TeaNewGlass, QT_TR_NOOP("New")},
     {Command::TeaOpenScene, QT_TR_NOOP("Open")},
     {Command::TeaSaveScene, QT_TR_NOOP("Save")},
     {Command::TeaForce, QT_TR_NOOP("Stir")},
     {Command::TeaReverse, QT_TR_NOOP("Other way round")},
     {Command::TeaRender, QT_TR_NOOP("Render a picture...")},
-    {Command::TeaExportMesh, QT_TR_NOOP("Export the surface...")},
+    {Command::LiquidExportMesh, QT_TR_NOOP("Export the surface...")},
 };
 
 }  // namespace
@@ -37,10 +38,16 @@ constexpr std::pair<Command, const char*> kButtonWords[] = {
 void TeaMode::connect_commands() {
     for (const auto& [command, words] : kButtonWords)
         action(command)->setIconText(QCoreApplication::translate("pastoso::main", words));
+    on_here(Command::TeaPour, [this](bool pours) { pour_recipe(pours); });
     on_here(Command::TeaNewGlass, [this](bool) { session_->new_glass(page_->panel().settings()); });
     on_here(Command::TeaOpenScene, [this](bool) { ask_open(); });
     on_here(Command::TeaSaveScene, [this](bool) { ask_save(); });
     connect_force();
+}
+
+void TeaMode::pour_recipe(bool pours) {
+    if (pours) go_on();
+    session_->pour_recipe(pours);
 }
 
 void TeaMode::connect_force() {
@@ -90,8 +97,8 @@ void TeaMode::move_axis(double right, double away) {
 
 // ---- scenes
 
-void TeaMode::open_scene(const QString& path) {
-    liquid::TeaSettings settings = liquid_files::read_tea(path.toStdString());
+void TeaMode::open_scene(const QString& path_or_name) {
+    liquid::TeaSettings settings = liquid_files::read_tea(path_or_name.toStdString());
     settings.parcels = std::min(settings.parcels, glass::kLiveParcels);
     session::TeaForce force = force_;
     force.on = settings.swirl_rad_s2 != 0.0 || settings.push_m_s2 != 0.0;
@@ -103,6 +110,7 @@ void TeaMode::open_scene(const QString& path) {
     use_force(force);
     page_->panel().show_settings(settings);
     session_->new_glass(settings);
+    pour_recipe(true);
 }
 
 void TeaMode::save_scene(const QString& path) const {
@@ -118,7 +126,11 @@ void TeaMode::ask_open() {
     const QString path =
         QFileDialog::getOpenFileName(&studio().window(), tr("Open a scene of milk tea"), {},
                                      tr("Scenes of milk tea (*.json);;All files (*)"));
-    if (!path.isEmpty()) studio().attempt(tr("Open a scene of milk tea"), [&] { open_scene(path); });
+    if (!path.isEmpty()) try_to_open(path);
+}
+
+void TeaMode::try_to_open(const QString& path_or_name) {
+    studio().attempt(tr("Open a scene of milk tea"), [&] { open_scene(path_or_name); });
 }
 
 void TeaMode::ask_save() {

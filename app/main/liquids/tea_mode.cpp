@@ -15,12 +15,12 @@ TeaMode::TeaMode(Studio& studio, PictureLayers& pictures, CanvasPlace& place)
 
 GlassWords TeaMode::words() {
     return {
+        .name = tr("Milk tea"),
         .picture = {.name = QStringLiteral("tea_picture"),
                     .title = tr("Picture of the glass"),
                     .hint = tr("The glass as it is seen in the window, traced along the light's ways "
                                "through glass, tea and milk. Choose a size and press Render."),
                     .file = QStringLiteral("milk_tea.png")},
-        .layer = tr("Milk tea"),
         .export_title = tr("Export the milk's surface"),
         .export_file = QStringLiteral("milk_0001.pbrt"),
         .exported = tr("The milk's surface is in %1."),
@@ -37,6 +37,7 @@ void TeaMode::make_ready() {
 
 void TeaMode::make_page() {
     page_ = new glass::TeaPage({.glass = page_actions(),
+                                .pour = action(Command::TeaPour),
                                 .new_glass = action(Command::TeaNewGlass),
                                 .open = action(Command::TeaOpenScene),
                                 .save = action(Command::TeaSaveScene),
@@ -48,7 +49,7 @@ void TeaMode::make_page() {
                                 .away = action(Command::TeaAxisAway),
                                 .near = action(Command::TeaAxisNear),
                                 .render = action(Command::TeaRender),
-                                .export_mesh = action(Command::TeaExportMesh)});
+                                .export_mesh = action(Command::LiquidExportMesh)});
     add_page({Command::TeaAxisLeft, Command::TeaAxisRight, Command::TeaAxisAway, Command::TeaAxisNear});
     page_->panel().chooser().show_choice(glass::GlassChooser::tea_key());
     connect(&page_->panel().chooser(), &glass::GlassChooser::chosen, this, [this](const QString& key) {
@@ -56,10 +57,13 @@ void TeaMode::make_page() {
         page_->panel().chooser().show_choice(glass::GlassChooser::tea_key());
         Q_EMIT other_wanted(key);
     });
-    connect(&page_->view(), &glass::TeaView::poured, this,
-            [this](const glm::vec2& at_m) { session_->pour(at_m); });
+    connect(&page_->view(), &glass::TeaView::poured, this, [this](const glm::vec2& at_m) {
+        go_on();
+        session_->pour(at_m);
+    });
     connect(&page_->view(), &glass::TeaView::pouring_ended, this,
             [this] { session_->pour(std::nullopt); });
+    connect(&page_->panel(), &glass::TeaPanel::recipe_chosen, this, &TeaMode::try_to_open);
     connect(&page_->panel(), &glass::TeaPanel::force_changed, this, &TeaMode::use_force);
     connect(&page_->panel(), &glass::TeaPanel::numbers_changed, this,
             [this](const liquid::TeaSettings& settings) {
@@ -70,9 +74,9 @@ void TeaMode::make_page() {
                 numbers.cells = snapshot->settings.cells;
                 numbers.parcels = snapshot->settings.parcels;
                 numbers.milk_m3 = snapshot->settings.milk_m3;
+                numbers.step_s = snapshot->settings.step_s;
                 session_->set_numbers(numbers);
             });
-    page_->panel().show_settings({});
 }
 
 void TeaMode::put_away() {
@@ -91,6 +95,7 @@ void TeaMode::show_published() {
     }
     if (snapshot) page_->view().show_moment(snapshot);
     page_->show_status(status);
+    action(Command::TeaPour)->setChecked(status.recipe_flows);
     show_running(status);
 }
 

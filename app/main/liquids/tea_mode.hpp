@@ -15,9 +15,9 @@ class TeaMode : public GlassMode {
     session::TeaSession& session() override { return *session_; }
     glass::TeaPage& page() override { return *page_; }
 
-    /// Another glass with the numbers of a file, and the numbers of this one into a file. Throw
-    /// core::InputError.
-    void open_scene(const QString& path);
+    /// Another glass with the numbers of a file, or of a scene that comes with the program, into which
+    /// its milk is poured; and the numbers of this one into a file. Throw core::InputError.
+    void open_scene(const QString& path_or_name);
     void save_scene(const QString& path) const;
 
   Q_SIGNALS:
@@ -37,7 +37,9 @@ class TeaMode : public GlassMode {
     void make_page();
     void show_published();
     void use_force(const session::TeaForce& force);
+    void pour_recipe(bool pours);
     void move_axis(double right, double away);
+    void try_to_open(const QString& path_or_name);
     void ask_open();
     void ask_save();
 

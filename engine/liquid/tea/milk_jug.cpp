@@ -38,8 +38,7 @@ void push_stream(const glm::vec2& at_m, float speed_m_s, const TeaSettings& sett
 void MilkJug::pour(const TeaSettings& settings, std::vector<Parcel>& parcels, VelocityField& velocity) {
     if (settings.milk_m3 <= 0.0) return;
     const Pouring into{settings, parcels, velocity};
-    if (state_.recipe.seconds < settings.pour_s)
-        pour_from(state_.recipe, settings.cup.axis_m, settings.parcels, into);
+    if (recipe_flows(settings)) pour_from(state_.recipe, settings.cup.axis_m, settings.parcels, into);
     if (state_.hand_m)
         pour_from(state_.hand, *state_.hand_m, kMaxParcels, into);
     else

@@ -47,6 +47,14 @@ class MilkJug {
     /// See MilkTea::pour_by_hand().
     void pour_by_hand(std::optional<glm::vec2> at_m) { state_.hand_m = at_m; }
 
+    /// See MilkTea::pour_recipe().
+    void pour_recipe(bool pours, const TeaSettings& settings) {
+        state_.recipe = {pours ? 0.0 : settings.pour_s, 0};
+    }
+    bool recipe_flows(const TeaSettings& settings) const {
+        return state_.recipe.seconds < settings.pour_s && settings.milk_m3 > 0.0;
+    }
+
     double poured_m3() const { return state_.poured_m3; }
 
   private:

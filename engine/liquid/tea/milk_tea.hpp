@@ -56,6 +56,11 @@ class MilkTea {
     /// lie nowhere in it or belong to balls there never were, or too many.
     void set_state(TeaState state);
 
+    /// The milk of the recipe is poured from now on, once more where it was already; or no more of it. A
+    /// new glass is poured into.
+    void pour_recipe(bool pours) { jug_.pour_recipe(pours, settings_); }
+    bool recipe_flows() const { return jug_.recipe_flows(settings_); }
+
     double poured_m3() const { return jug_.poured_m3(); }
     /// In parcels and dissolved.
     double milk_m3(core::ThreadPool& pool) const;
