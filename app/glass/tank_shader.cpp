@@ -14,6 +14,7 @@ uniform bool has_milk, has_solids;
 uniform sampler3D level, solids, milk_share;
 
 const float FAR = 1e9;
+const float MODEL_M = 0.3;  // trace::kTankModel_m
 const int GLASS = 1, ROOM = 2;
 const float GLASS_IOR = 1.5, LIQUID_IOR = 1.335;
 const vec3 SOLID = vec3(0.70, 0.32, 0.20);  // as trace::Optics
@@ -66,8 +67,7 @@ vec3 lamp_left(vec3 at) {
 }
 
 vec3 table(vec3 at) {
-    vec2 from = (at.xy - 0.5 * size_m.xy) / unit_m;
-    vec3 stuff = TABLE * (0.55 + 0.45 * exp(-9.0 * 0.01 * dot(from, from)));
+    vec3 stuff = table_at(MODEL_M / unit_m * (at.xy - 0.5 * size_m.xy), 2.0);
     vec2 beside = max(abs(at.xy - 0.5 * size_m.xy) - 0.5 * size_m.xy - wall_m, 0.0);
     float contact = 1.0 - 0.45 * exp(-length(beside) / (0.08 * unit_m));
     return stuff * (LAMP * LAMP_WAY.z * 0.95 * lamp_left(at) + SKY * contact) * 0.98;

@@ -100,19 +100,17 @@ vec3 under_glass(vec2 at) {
     float high = level_m - table_m;
     float along = clamp(dot(from, away) / dot(away, away), 0.0, high);
     float radius = radius_at(min(along + table_m, level_m)) + wall_m;
-    float edge = 0.006 + 0.30 * along;
+    float edge = 0.003 + 0.12 * along;
     float inside = 1.0 - smoothstep(radius - edge, radius + edge, length(from - away * along));
-    vec3 through = mix(vec3(0.80, 0.60, 0.42), vec3(0.62, 0.58, 0.56), smoothstep(0.0, high, along));
+    vec3 through = mix(vec3(0.60, 0.42, 0.28), vec3(0.42, 0.38, 0.35), smoothstep(0.0, high, along));
     return mix(vec3(1.0), through, 0.85 * inside);
 }
 
 vec3 table(vec3 at) {
     vec2 from = at.xy - axis_m;
-    float square = dot(from, from);
-    vec3 stuff = TABLE * (0.55 + 0.45 * exp(-9.0 * square));
     float foot = radius_at(foot_m) + wall_m;
-    float contact = 1.0 - 0.45 * exp(-max(sqrt(square) - foot, 0.0) / 0.008);
-    return stuff * (LAMP * LAMP_WAY.z * 0.95 * under_glass(at.xy) + SKY * contact) * 0.98;
+    float contact = 1.0 - 0.45 * exp(-max(length(from) - foot, 0.0) / 0.008);
+    return table_at(from, 9.0) * (LAMP * LAMP_WAY.z * 0.95 * under_glass(at.xy) + SKY * contact) * 0.98;
 }
 
 vec3 surroundings(vec3 from, vec3 way) {
