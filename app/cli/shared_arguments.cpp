@@ -71,7 +71,8 @@ void add_frame_file_options(CLI::App& command, FrameFileOptions& options,
     add_text(command, "--size", options.size, "Pixels of a picture")
         ->type_name("WxH")
         ->capture_default_str();
-    add_number(command, "--samples", options.samples, {1, 1 << 20}, "Ways of light followed for a pixel")
+    add_number(command, "--samples", options.samples, {1, 1 << 20},
+               "Ways of light followed for a pixel, fewer where it is clean before")
         ->type_name("N")
         ->capture_default_str();
     add_number(command, "--every", options.every, {1, 1000000}, "Make a file of every so many frames")
