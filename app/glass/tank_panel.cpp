@@ -159,10 +159,7 @@ void TankPanel::add_feels(QVBoxLayout* column) {
     for (const auto& [number, words] : kFeels) {
         FeelRow* row = add_feel(grid, words);
         connect(row, &FeelRow::chosen, this, [this, &number](double place) {
-            tank::TankScene scene = scene_;
-            scene.*number.member =
-                tools::feel_moved(scene, number, tools::feel_place(scene, {&number, 1}), place);
-            change(scene);
+            change(tools::feel_moved(scene_, std::span(&number, 1), place));
         });
         feels_.push_back(row);
     }

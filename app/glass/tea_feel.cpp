@@ -1,7 +1,5 @@
 #include "glass/tea_feel.hpp"
 
-#include <algorithm>
-
 namespace pastoso::glass {
 namespace {
 
@@ -45,12 +43,7 @@ std::span<const Number> numbers_of(TeaFeel feel) {
 }
 
 S with_place(S settings, TeaFeel feel, double place) {
-    const double before = tools::feel_place(settings, numbers_of(feel));
-    const double next = std::clamp(place, 0.0, 1.0);
-    if (next == before) return settings;
-    for (const Number& number : numbers_of(feel))
-        settings.*number.member = tools::feel_moved(settings, number, before, next);
-    return settings;
+    return tools::feel_moved(settings, numbers_of(feel), place);
 }
 
 }  // namespace pastoso::glass

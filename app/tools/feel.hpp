@@ -2,7 +2,9 @@
 // together.
 #pragma once
 
+#include <algorithm>
 #include <span>
+#include <utility>
 
 namespace pastoso::tools {
 
@@ -31,10 +33,29 @@ double feel_place(const Owner& owner, std::span<const FeelNumber<Owner>> numbers
     return feel_place(owner.*first.member, first.from, first.to, first.scale);
 }
 
-/// The value of one of the numbers when the thing goes from place to place.
+/// The thing at another place, 0 to 1, or the end that is nearest: with(thing, number, value) gives it
+/// each of its numbers. It stays as it is where it stands there already.
+template <class Owner, class With>
+Owner feel_moved(Owner owner, std::span<const FeelNumber<Owner>> numbers, double place,
+                 const With& with) {
+    const double before = feel_place(owner, numbers), next = std::clamp(place, 0.0, 1.0);
+    if (next == before) return owner;
+    for (const FeelNumber<Owner>& number : numbers) {
+        const double value =
+            feel_moved(owner.*number.member, number.from, number.to, number.scale, before, next);
+        owner = with(std::move(owner), number, value);
+    }
+    return owner;
+}
+
+/// The same where a number is simply assigned.
 template <class Owner>
-double feel_moved(const Owner& owner, const FeelNumber<Owner>& number, double place, double next) {
-    return feel_moved(owner.*number.member, number.from, number.to, number.scale, place, next);
+Owner feel_moved(Owner owner, std::span<const FeelNumber<Owner>> numbers, double place) {
+    return feel_moved(std::move(owner), numbers, place,
+                      [](Owner moved, const FeelNumber<Owner>& number, double value) {
+                          moved.*number.member = value;
+                          return moved;
+                      });
 }
 
 }  // namespace pastoso::tools

@@ -2,7 +2,6 @@
 
 #include "tools/medium_numbers.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace pastoso::tools {
@@ -42,13 +41,10 @@ double place_of(const Medium& medium, Feel feel) {
 }
 
 Medium with_place(Medium medium, Feel feel, double place) {
-    const double before = place_of(medium, feel), next = std::clamp(place, 0.0, 1.0);
-    if (next == before) return medium;
-    for (const FeelNumber<Medium>& number : numbers_of(feel)) {
-        const double value = feel_moved(medium, number, before, next);
-        medium = with_number(std::move(medium), number.member, value);
-    }
-    return medium;
+    return feel_moved(std::move(medium), numbers_of(feel), place,
+                      [](Medium moved, const FeelNumber<Medium>& number, double value) {
+                          return with_number(std::move(moved), number.member, value);
+                      });
 }
 
 }  // namespace pastoso::tools

@@ -23,6 +23,7 @@ int cell_index(const glm::ivec3& within) {
 
 MilkMedium::MilkMedium(const grid::BlockField& fraction, float scattering_per_m)
     : blocks_(fraction.blocks()), scattering_per_m_(scattering_per_m) {
+    if (fraction.empty()) return;
     const grid::BoxShape& shape = fraction.shape();
     shape_cells_ = {shape.nx, shape.ny, shape.nz};
     cell_m_ = shape.cell_m;

@@ -2,9 +2,9 @@
 
 #include "trace/optics.hpp"
 #include "trace/path.hpp"
+#include "trace/stoppable.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 namespace pastoso::trace {
 namespace {
@@ -180,8 +180,8 @@ class Shooting {
           pool_(pool),
           stop_(stop),
           vessel_(*world.vessel_ball()),
-          cells_(fluence_cells(glm::max(world.milk_box_m(), glm::vec3(1e-3F)))),
           has_fluence_(world.has_fluence()),
+          cells_(has_fluence_ ? fluence_cells(world.milk_box_m()) : grid::BoxShape{}),
           ways_(has_fluence_ ? count_of(cells_) : 0),
           count_(std::clamp(settings.width * settings.height, kFewestPhotons, kMostPhotons)) {
         const float size_m = 2.0F * kSquareSize * vessel_.radius_m;
@@ -193,15 +193,14 @@ class Shooting {
         LightSums arrived(static_cast<std::size_t>(kCausticCells) * kCausticCells);
         const Gathering into{world_, square_, arrived, cells_, ways_};
         const float unit = 1.0F / static_cast<float>(count_);
-        if (world_.light().has_lamp())
-            shoot(into, kLampPhotons,
-                  [&](Sampler& sampler) { return lamp_photon(world_, vessel_, sampler); });
-        if (stopped_) return std::nullopt;
+        const auto of_lamp = [&](Sampler& sampler) { return lamp_photon(world_, vessel_, sampler); };
+        if (world_.light().has_lamp() && !shoot(into, kLampPhotons, of_lamp)) return std::nullopt;
         maps.caustics = Caustics(square_, arrived, unit);
         if (!has_fluence_) return maps;
-        shoot(into, kOtherPhotons,
-              [&](Sampler& sampler) { return other_photon(world_, settings_, maps, sampler); });
-        if (stopped_) return std::nullopt;
+        const auto of_all_else = [&](Sampler& sampler) {
+            return other_photon(world_, settings_, maps, sampler);
+        };
+        if (!shoot(into, kOtherPhotons, of_all_else)) return std::nullopt;
         // Light in the liquid is as much stronger than in air as its index squared; paths leave that
         // out.
         const float index = world_.optics().liquid_ior;
@@ -210,21 +209,19 @@ class Shooting {
     }
 
   private:
+    /// False when stopped.
     template <class Begin>
-    void shoot(const Gathering& into, std::uint32_t kind, const Begin& begin) {
+    bool shoot(const Gathering& into, std::uint32_t kind, const Begin& begin) {
         const int batches = (count_ + kBatch - 1) / kBatch;
-        pool_.run(static_cast<std::size_t>(batches), [&](std::size_t batch, int) {
-            if (stopped_ || (stop_ && stop_())) {
-                stopped_ = true;
-                return;
-            }
-            const int first = static_cast<int>(batch) * kBatch;
-            for (int i = first; i < std::min(first + kBatch, count_); ++i) {
-                Sampler sampler(settings_.seed, kind, static_cast<std::uint32_t>(i));
-                const Photon photon = begin(sampler);
-                PhotonWalk(into, sampler).follow(photon);
-            }
-        });
+        return run_until_stopped(
+            pool_, static_cast<std::size_t>(batches), stop_, [&](std::size_t batch) {
+                const int first = static_cast<int>(batch) * kBatch;
+                for (int i = first; i < std::min(first + kBatch, count_); ++i) {
+                    Sampler sampler(settings_.seed, kind, static_cast<std::uint32_t>(i));
+                    const Photon photon = begin(sampler);
+                    PhotonWalk(into, sampler).follow(photon);
+                }
+            });
     }
 
     const World& world_;
@@ -232,12 +229,11 @@ class Shooting {
     core::ThreadPool& pool_;
     const std::function<bool()>& stop_;
     Ball vessel_;
-    grid::BoxShape cells_;
     bool has_fluence_;
+    grid::BoxShape cells_;
     LightSums ways_;
     int count_;
     TableSquare square_;
-    std::atomic<bool> stopped_ = false;
 };
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include "trace/denoise.hpp"
 #include "trace/path.hpp"
 #include "trace/photons.hpp"
+#include "trace/stoppable.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -197,15 +197,8 @@ bool TeaTracer::add_samples(int count, const std::function<bool()>& stop) {
     PASTOSO_CHECK_OP(count, >=, 0);
     if (!state_->shoot(stop)) return false;
     const int wanted = samples() + count;
-    std::atomic<bool> stopped = false;
-    state_->pool.run(state_->tile_samples.size(), [&](std::size_t tile, int) {
-        if (stopped || (stop && stop())) {
-            stopped = true;
-            return;
-        }
-        state_->bring_tile(tile, wanted);
-    });
-    return !stopped;
+    return run_until_stopped(state_->pool, state_->tile_samples.size(), stop,
+                             [&](std::size_t tile) { state_->bring_tile(tile, wanted); });
 }
 
 int TeaTracer::samples() const {

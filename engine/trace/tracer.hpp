@@ -17,9 +17,9 @@ namespace pastoso::trace {
 struct TraceSettings {
     int width = 800, height = 800;  ///< 1 to 16384
     std::uint32_t seed = 1;
-    /// Looks for the lamp from every point that scatters, straight through glass and liquid as if they
-    /// did not bend light. Without it the lamp is met by chance alone: very noisy, but true where glass
-    /// gathers light (the reference).
+    /// Looks for the lamp from points that scatter, from those in milk straight through glass and liquid
+    /// as if they did not bend light, and takes what else there is from photons (photons.hpp). Without
+    /// it the lamp is met by chance alone: very noisy, but true (the reference).
     bool seeks_lamp = true;
     /// A sample's largest channel is clipped here, so that rare bright paths leave no dots; > 0.
     float brightest = 6.0F;
@@ -35,12 +35,13 @@ class TeaTracer {
     TeaTracer(TeaTracer&&) noexcept;
     TeaTracer& operator=(TeaTracer&&) noexcept;
 
-    /// Adds samples to every pixel. Between tiles asks `stop`, if there is one, on any thread of the
-    /// pool; after a true answer returns false with some tiles ahead of others. The next call brings all
-    /// to samples() + count, as if there had been no stop.
+    /// Adds samples to every pixel, but to those of tiles that are clean; the first call shoots the
+    /// photons before. Between tiles and between batches of photons asks `stop`, if there is one, on any
+    /// thread of the pool; after a true answer returns false with some tiles ahead of others. The next
+    /// call brings all to samples() + count, as if there had been no stop.
     bool add_samples(int count, const std::function<bool()>& stop = {});
 
-    /// Of the pixel that has fewest.
+    /// Of the pixel that has fewest, tiles that are clean aside.
     int samples() const;
 
     /// Segments of paths and shadow rays followed so far.
