@@ -26,7 +26,7 @@ void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
         case Scene: {
             const liquid::TriangleMesh milk = surface_of(frame);
             return files_.write_scene(
-                number, {.cup = settings_.cup, .milk = milk, .dissolved = &frame.dissolved});
+                number, {.cup = cup_in(frame), .milk = milk, .dissolved = &frame.dissolved});
         }
         case Volume:
             return write_volume(number, frame);
@@ -36,19 +36,24 @@ void TeaFiles::write(int number, const liquid::TeaFrame& frame) {
 trace::Scene TeaFiles::scene_of(const liquid::TeaFrame& frame) {
     const liquid::Cup& cup = settings_.cup;
     if (body_ == trace::MilkBody::Surface)
-        return trace::tea_scene(cup, grid::BlockField(frame.dissolved), surface_of(frame));
+        return trace::tea_scene(cup, frame.pour, grid::BlockField(frame.dissolved), surface_of(frame));
     grid::BlockField share;
     files_.costs().surface_s += seconds_of([&] {
-        share = densities_.make(frame.parcels, frame.dissolved, cup, liquid::even_density(settings_));
+        share = densities_.make(frame.parcels, frame.dissolved, cup_in(frame),
+                                liquid::even_density(settings_));
     });
-    return trace::tea_scene(cup, std::move(share));
+    return trace::tea_scene(cup, frame.pour, std::move(share));
+}
+
+liquid::Cup TeaFiles::cup_in(const liquid::TeaFrame& frame) const {
+    return liquid::cup_in(frame.pour, settings_.cup);
 }
 
 liquid::TriangleMesh TeaFiles::surface_of(const liquid::TeaFrame& frame) {
     liquid_files::FrameCosts& costs = files_.costs();
     liquid::MilkSurface surface;
     costs.surface_s += seconds_of(
-        [&] { surface = surfaces_.make(frame.parcels, settings_.cup, frame.dissolved.shape()); });
+        [&] { surface = surfaces_.make(frame.parcels, cup_in(frame), frame.dissolved.shape()); });
     costs.triangles = static_cast<std::int64_t>(surface.mesh.triangles.size());
     costs.surface_error_rel = std::max(costs.surface_error_rel, std::abs(surface.volume_error()));
     return std::move(surface.mesh);

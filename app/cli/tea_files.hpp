@@ -27,6 +27,7 @@ class TeaFiles {
 
   private:
     trace::Scene scene_of(const liquid::TeaFrame& frame);
+    liquid::Cup cup_in(const liquid::TeaFrame& frame) const;
     liquid::TriangleMesh surface_of(const liquid::TeaFrame& frame);
     void write_volume(int number, const liquid::TeaFrame& frame);
 

@@ -7,7 +7,7 @@ using S = liquid::TeaSettings;
 using tools::FeelScale;
 using Number = tools::FeelNumber<S>;
 
-// The usual glass stands in the middle of the first two, and at the hot end of the third.
+// The usual glass stands in the middle of the first three, and at the hot end of the last.
 
 /// Milk that is no colder than the tea is lifted by its fat: it spreads under the surface. The coldest
 /// falls to the floor at once.
@@ -19,6 +19,9 @@ constexpr Number kThinToCreamy[] = {{&S::fat_m_s2, 0.15, 0.6, FeelScale::Logarit
                                     {&S::milk_diffusion_m2_s, 9e-5, 1e-5, FeelScale::Logarithmic},
                                     {&S::ball_radius_m, 0.0044, 0.0099, FeelScale::Logarithmic},
                                     {&S::dissolving_s, 4.7, 42.0, FeelScale::Logarithmic}};
+
+/// From high it arrives fast: it stirs the tea, and the whole glass turns cloudy.
+constexpr Number kLowToHigh[] = {{&S::pour_height_m, 0.0005, 0.05, FeelScale::Logarithmic}};
 
 /// In ice-cold tea milk does not warm, so nothing lifts it: it lies where it fell, and dissolves slowly.
 constexpr Number kHotToIceCold[] = {{&S::fast_warming_s, 0.5, 30.0, FeelScale::Logarithmic},
@@ -36,6 +39,8 @@ std::span<const Number> numbers_of(TeaFeel feel) {
             return kWarmToCold;
         case TeaFeel::ThinToCreamy:
             return kThinToCreamy;
+        case TeaFeel::PouredLowToHigh:
+            return kLowToHigh;
         case TeaFeel::HotToIceColdTea:
             break;
     }

@@ -1,4 +1,5 @@
-// What one says of milk and tea before one knows any number: warm or cold, thin or creamy.
+// What one says of milk and tea before one knows any number: warm or cold, thin or creamy,
+// poured low or from high.
 #pragma once
 
 #include "liquid/tea/tea_settings.hpp"
@@ -8,7 +9,7 @@
 
 namespace pastoso::glass {
 
-enum class TeaFeel { WarmToColdMilk, ThinToCreamy, HotToIceColdTea };
+enum class TeaFeel { WarmToColdMilk, ThinToCreamy, PouredLowToHigh, HotToIceColdTea };
 
 /// The numbers that it moves; the first tells where a glass stands.
 std::span<const tools::FeelNumber<liquid::TeaSettings>> numbers_of(TeaFeel feel);

@@ -34,6 +34,9 @@ constexpr std::pair<TeaFeel, FeelWords> kFeels[] = {
     {TeaFeel::ThinToCreamy,
      {"thin_to_creamy", QT_TR_NOOP("thin"), QT_TR_NOOP("creamy"),
       QT_TR_NOOP("Thin milk stays below and mixes soon, creamy milk rises in large soft clouds")}},
+    {TeaFeel::PouredLowToHigh,
+     {"low_to_high", QT_TR_NOOP("poured low"), QT_TR_NOOP("from high"),
+      QT_TR_NOOP("Poured low, milk comes to lie on the floor; from high, it stirs the whole glass")}},
     {TeaFeel::HotToIceColdTea,
      {"hot_to_ice_cold", QT_TR_NOOP("hot tea"), QT_TR_NOOP("ice-cold tea"),
       QT_TR_NOOP("Hot tea warms the milk, and it rises again; in ice-cold tea it lies where it fell")}}};

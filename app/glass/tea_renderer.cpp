@@ -2,6 +2,8 @@
 
 #include "glass/ray_shaders.hpp"
 #include "glass/tea_shader.hpp"
+#include "liquid/tea/jug_shape.hpp"
+#include "trace/tea_scene.hpp"
 
 #include <QVector2D>
 #include <QVector4D>
@@ -39,8 +41,9 @@ void TeaRenderer::release() {
 }
 
 void TeaRenderer::show(const session::TeaSnapshot& snapshot) {
-    settings_ = snapshot.settings;
-    stream_m_ = snapshot.stream_m;
+    cup_ = snapshot.cup();
+    box_m_ = static_cast<float>(snapshot.settings.box_m);
+    streams_ = snapshot.seen.pour.streams;
     milk_low_m_ = snapshot.milk_low_m;
     milk_high_m_ = snapshot.milk_high_m;
     upload(kShareUnit, snapshot.milk_share);
@@ -63,16 +66,15 @@ void TeaRenderer::bind_field(int unit) {
 }
 
 void TeaRenderer::set_cup(QOpenGLShaderProgram& program) const {
-    const liquid::Cup& cup = settings_.cup;
-    program.setUniformValue("axis_m", QVector2D(cup.axis_m.x, cup.axis_m.y));
-    program.setUniformValue("floor_m", cup.floor_m);
-    program.setUniformValue("floor_radius_m", cup.floor_radius_m);
-    program.setUniformValue("slope", cup.slope);
-    program.setUniformValue("level_m", cup.level_m);
-    program.setUniformValue("wall_m", cup.wall_m);
-    program.setUniformValue("foot_m", cup.foot_m);
-    program.setUniformValue("rim_m", cup.rim_m);
-    program.setUniformValue("box_m", static_cast<float>(settings_.box_m));
+    program.setUniformValue("axis_m", QVector2D(cup_.axis_m.x, cup_.axis_m.y));
+    program.setUniformValue("floor_m", cup_.floor_m);
+    program.setUniformValue("floor_radius_m", cup_.floor_radius_m);
+    program.setUniformValue("slope", cup_.slope);
+    program.setUniformValue("level_m", cup_.level_m);
+    program.setUniformValue("wall_m", cup_.wall_m);
+    program.setUniformValue("foot_m", cup_.foot_m);
+    program.setUniformValue("rim_m", cup_.rim_m);
+    program.setUniformValue("box_m", box_m_);
 }
 
 /// Layer by layer, once for each moment: every ray that comes by finds it.
@@ -116,10 +118,39 @@ void TeaRenderer::set_glass(const GlassCamera& camera, QSize size, int pass, Qua
     glass.setUniformValue("milk_high_m", vector(milk_high_m_));
     glass.setUniformValue("milk_share", static_cast<GLint>(kShareUnit));
     glass.setUniformValue("light_in_tea", static_cast<GLint>(kLightUnit));
-    const glm::vec2 at = stream_m_.value_or(settings_.cup.axis_m);
-    glass.setUniformValue("stream",
-                          QVector4D(at.x, at.y, static_cast<float>(0.55 * settings_.pour_radius_m),
-                                    stream_m_ ? 1.0F : 0.0F));
+    set_stream(glass);
+}
+
+/// Of two streams the hand's.
+void TeaRenderer::set_stream(QOpenGLShaderProgram& program) const {
+    const bool flows = !streams_.empty();
+    const liquid::MilkStream stream = flows ? streams_.back() : liquid::MilkStream{};
+    const trace::LevelDent dent = flows ? trace::stream_dent(stream, cup_.level_m) : trace::LevelDent{};
+    program.setUniformValue("stream_at_m", QVector2D(stream.at_m.x, stream.at_m.y));
+    program.setUniformValue("stream_lip_m", stream.lip_m);
+    program.setUniformValue("stream_high_m", stream.high_m);
+    program.setUniformValue("stream_low_m", stream.low_m);
+    program.setUniformValue("stream_lip_m_s", stream.lip_speed_m_s);
+    program.setUniformValue("stream_lip_radius_m", stream.lip_radius_m);
+    program.setUniformValue("dent_m", dent.depth_m);
+    program.setUniformValue("dent_radius_m", dent.radius_m);
+    set_jug(program, flows && liquid::is_held(stream) ? &stream : nullptr);
+}
+
+/// Null: of none.
+void TeaRenderer::set_jug(QOpenGLShaderProgram& program, const liquid::MilkStream* stream) const {
+    std::vector<QVector4D> profile;
+    if (stream != nullptr)
+        for (const liquid::TurnedPoint& point : liquid::jug_profile())
+            profile.emplace_back(point.radius_m, point.z_m, point.normal.x, point.normal.y);
+    program.setUniformValue("jug_points", static_cast<GLint>(profile.size()));
+    if (stream == nullptr) return;
+    const liquid::JugPlace jug = liquid::jug_place(*stream, cup_);
+    program.setUniformValueArray("jug_profile", profile.data(), static_cast<int>(profile.size()));
+    program.setUniformValue("jug_mouth_m", vector(jug.mouth_m));
+    program.setUniformValue("jug_axis", vector(jug.axis));
+    program.setUniformValue("jug_colour", vector(trace::kJugReflectance));
+    program.setUniformValue("jug_milk", QVector2D(liquid::kJugMilkRadius_m, liquid::kJugMilkDepth_m));
 }
 
 void TeaRenderer::draw(QOpenGLFramebufferObject& target, const QRect& part, const GlassCamera& camera,

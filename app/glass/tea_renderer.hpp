@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace pastoso::glass {
 
@@ -30,6 +31,8 @@ class TeaRenderer : public LiquidRenderer {
     void upload(int unit, const grid::BoxField& field);
     void bind_field(int unit);
     void set_cup(QOpenGLShaderProgram& program) const;
+    void set_stream(QOpenGLShaderProgram& program) const;
+    void set_jug(QOpenGLShaderProgram& program, const liquid::MilkStream* stream) const;
     void light_tea(const grid::BoxShape& cells);
     void set_glass(const GlassCamera& camera, QSize size, int pass, Quality quality);
 
@@ -38,8 +41,9 @@ class TeaRenderer : public LiquidRenderer {
     GLuint empty_array_ = 0, light_target_ = 0;
     /// The milk's share, its depths to the lamp and the level, and the light that arrives.
     std::array<FieldTexture, 4> fields_;
-    liquid::TeaSettings settings_;
-    std::optional<glm::vec2> stream_m_;
+    liquid::Cup cup_;  ///< filled as it is seen
+    float box_m_ = 0.1F;
+    std::vector<liquid::MilkStream> streams_;
     glm::vec3 milk_low_m_{0.0F}, milk_high_m_{0.0F};
 };
 

@@ -89,7 +89,16 @@ uniform float table_m;
 uniform int march_steps;                  // across the tea at its level
 uniform vec3 milk_low_m, milk_high_m;     // there is none but between these
 uniform sampler3D milk_share, light_in_tea;  // the light as kTeaLightShader finds it
-uniform vec4 stream;                      // x, y, radius, 1 while it flows
+// Of the stream in the air (liquid/tea/milk_stream.hpp). Its high is below its low where there is none.
+uniform vec2 stream_at_m;
+uniform float stream_lip_m, stream_high_m, stream_low_m, stream_lip_m_s, stream_lip_radius_m;
+uniform float dent_m, dent_radius_m;      // how deep it dents the level, and how far around
+// The jug (liquid/tea/jug_shape.hpp); of its profile radius, height, normal. No points: none is held.
+const int MOST_POINTS = 16;
+uniform int jug_points;
+uniform vec4 jug_profile[MOST_POINTS];
+uniform vec3 jug_mouth_m, jug_axis, jug_colour;
+uniform vec2 jug_milk;                    // radius, depth
 
 // ---- light
 
@@ -130,11 +139,18 @@ void meet_disc(vec3 from, vec3 way, float z, float least, float most, float look
     first = Meeting(t, vec3(0.0, 0.0, looks), below, above);
 }
 
+/// As if the level were dented (trace/scene.hpp): it shows by its normal.
+vec3 level_normal(vec3 at) {
+    vec2 out_of = (at.xy - stream_at_m) / dent_radius_m;
+    return normalize(vec3(-out_of * (2.0 * dent_m / dent_radius_m * exp(-dot(out_of, out_of))), 1.0));
+}
+
 Meeting meet(vec3 from, vec3 way, int here) {
     Meeting first = Meeting(FAR, vec3(0.0), NOTHING, NOTHING);
     meet_wall(from, way, true, first);
     meet_disc(from, way, floor_m, 0.0, floor_radius_m, 1.0, GLASS, TEA, first);
     if (here != GLASS) meet_disc(from, way, level_m, 0.0, radius_at(level_m), 1.0, TEA, AIR, first);
+    if (first.below == TEA && first.above == AIR) first.normal = level_normal(from + way * first.way);
     if (here == TEA) return first;
     meet_wall(from, way, false, first);
     float rim = radius_at(rim_m);
@@ -181,21 +197,71 @@ void through_tea(vec3 from, vec3 way, float length_m, float grain_here, inout ve
     weight *= exp(-TEA_PER_M * (length_m - end));
 }
 
-/// Milk that falls through the air into the tea.
-bool meets_stream(vec3 from, vec3 way, float most, out vec3 at, out vec3 normal) {
-    if (stream.w < 0.5) return false;
-    vec2 o = from.xy - stream.xy;
-    float a = dot(way.xy, way.xy), b = dot(o, way.xy), c = dot(o, o) - stream.z * stream.z;
-    float in_root = b * b - a * c;
-    if (in_root < 0.0 || a < 1e-9) return false;
-    float t = (-b - sqrt(in_root)) / a;
-    at = from + way * t;
-    normal = vec3((at.xy - stream.xy) / stream.z, 0.0);
-    return t > NEAR_M && t < most && at.z > level_m;
+float stream_radius(float z) {
+    float fallen = max(stream_lip_m - z, 0.0);
+    return stream_lip_radius_m * sqrt(stream_lip_m_s / sqrt(stream_lip_m_s * stream_lip_m_s + 19.62 * fallen));
 }
 
-vec3 stream_light(vec3 normal) {
-    return MILK * (LAMP * max(0.0, (dot(normal, LAMP_WAY) + 0.3) / 1.3) + SKY);
+/// What stands in the air outside of the glass.
+struct Body {
+    float way;
+    vec3 normal, colour;
+};
+
+/// Upright cylinders that come near the stream's radius at the height where the ray meets it.
+void meet_stream(vec3 from, vec3 way, inout Body first) {
+    vec2 o = from.xy - stream_at_m;
+    float a = dot(way.xy, way.xy), b = dot(o, way.xy), o2 = dot(o, o), t = 0.0;
+    if (stream_high_m <= stream_low_m || a < 1e-9) return;
+    vec3 at = from - way * (b / a);
+    for (int i = 0; i < 3; ++i) {
+        float radius = stream_radius(at.z), in_root = b * b - a * (o2 - radius * radius);
+        if (in_root < 0.0) return;
+        t = (-b - sqrt(in_root)) / a;
+        at = from + way * t;
+    }
+    if (t < NEAR_M || t > first.way || at.z < stream_low_m || at.z > stream_high_m) return;
+    first = Body(t, vec3(normalize(at.xy - stream_at_m), 0.0), MILK);
+}
+
+/// The round head of milk above the lip.
+void meet_head(vec3 from, vec3 way, inout Body first) {
+    const float HIGH = 0.7;  // liquid/tea/stream_mesh.cpp
+    if (stream_high_m <= stream_low_m) return;
+    vec3 scale = vec3(1.0, 1.0, 1.0 / HIGH) / stream_radius(stream_high_m);
+    vec3 o = (from - vec3(stream_at_m, stream_high_m)) * scale, d = way * scale;
+    float a = dot(d, d), b = dot(o, d), in_root = b * b - a * (dot(o, o) - 1.0);
+    if (in_root < 0.0) return;
+    float t = (-b - sqrt(in_root)) / a;
+    vec3 at = o + d * t;
+    if (t > NEAR_M && t < first.way && at.z > 0.0) first = Body(t, normalize(at * scale), MILK);
+}
+
+void meet_jug(vec3 from, vec3 way, inout Body first) {
+    if (jug_points == 0) return;
+    vec3 o = from - jug_mouth_m;
+    float oz = dot(o, jug_axis), dz = dot(way, jug_axis);
+    float milk_way = (jug_milk.y - oz) / dz;
+    vec3 out_of = o + way * milk_way - jug_axis * jug_milk.y;
+    if (milk_way > NEAR_M && milk_way < first.way && dot(out_of, out_of) < jug_milk.x * jug_milk.x)
+        first = Body(milk_way, -jug_axis, MILK);
+    vec3 across = o - jug_axis * oz, along = way - jug_axis * dz;
+    float dd = dot(along, along), od = dot(across, along), oo = dot(across, across);
+    for (int n = 0; n + 1 < jug_points; ++n) {
+        vec4 low = jug_profile[n], high = jug_profile[n + 1];
+        float widens = (high.x - low.x) / (high.y - low.y), radius = low.x + widens * (oz - low.y);
+        float a = dd - widens * widens * dz * dz, b = od - widens * radius * dz;
+        float in_root = b * b - a * (oo - radius * radius);
+        if (in_root < 0.0) continue;
+        float t = (-b - sqrt(in_root)) / a, up = (oz + t * dz - low.y) / (high.y - low.y);
+        if (!(t > NEAR_M && t < first.way && up >= 0.0 && up <= 1.0)) continue;
+        vec2 normal = mix(low.zw, high.zw, up);
+        first = Body(t, normalize(normalize(across + along * t) * normal.x + jug_axis * normal.y), jug_colour);
+    }
+}
+
+vec3 body_light(Body body) {
+    return body.colour * (LAMP * max(0.0, (dot(body.normal, LAMP_WAY) + 0.3) / 1.3) + SKY);
 }
 
 /// Most pixels show the table alone.
@@ -208,13 +274,20 @@ bool passes_by(vec3 from, vec3 way) {
 }
 
 vec3 trace(vec3 from, vec3 way, float grain_here) {
-    vec3 light = vec3(0.0), weight = vec3(1.0), at, normal;
-    int here = AIR, end = stream.w < 0.5 && passes_by(from, way) ? AROUND : NOWHERE;
+    vec3 light = vec3(0.0), weight = vec3(1.0), normal;
+    Body body;
+    int here = AIR, end = stream_high_m <= stream_low_m && passes_by(from, way) ? AROUND : NOWHERE;
     for (int event = 0; event < 9 && end == NOWHERE; ++event) {
         Meeting next = meet(from, way, here);
-        if (here == AIR && meets_stream(from, way, next.way, at, normal)) {
-            end = SOLID_BODY;
-            break;
+        if (here == AIR) {
+            body = Body(next.way, vec3(0.0), vec3(0.0));
+            meet_stream(from, way, body);
+            meet_head(from, way, body);
+            meet_jug(from, way, body);
+            if (body.way < next.way) {
+                end = SOLID_BODY;
+                break;
+            }
         }
         if (next.way == FAR) {
             end = AROUND;
@@ -241,7 +314,7 @@ vec3 trace(vec3 from, vec3 way, float grain_here) {
     }
     // Once, and not at each event: software that draws goes through all that stands in a loop, for every ray.
     if (end == AROUND) light += weight * surroundings(from, way);
-    if (end == SOLID_BODY) light += weight * stream_light(normal);
+    if (end == SOLID_BODY) light += weight * body_light(body);
     if (end == NOWHERE) light += weight * SKY * vec3(0.8, 0.55, 0.3);
     return light;
 }

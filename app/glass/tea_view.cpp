@@ -61,12 +61,12 @@ void TeaView::draw_marks(QPainter& painter, const std::optional<QPointF>& pointe
 }
 
 glm::vec3 TeaView::on_surface(const glm::vec2& on_tea_m) const {
-    return {on_tea_m, wanted_ != nullptr ? wanted_->settings.cup.level_m : liquid::Cup{}.level_m};
+    return {on_tea_m, wanted_ != nullptr ? wanted_->cup().level_m : liquid::Cup{}.level_m};
 }
 
 std::optional<glm::vec2> TeaView::on_tea(const QPointF& place) const {
     if (wanted_ == nullptr) return std::nullopt;
-    return place_on_tea(camera().through(place, size()), wanted_->settings.cup);
+    return place_on_tea(camera().through(place, size()), wanted_->cup());
 }
 
 void TeaView::press_liquid(const QPointF& place) {

@@ -20,10 +20,14 @@ constexpr const char* kPercent = QT_TR_NOOP(" %");
 constexpr TeaRow kPouring[] = {
     TeaRow{&S::pour_s, QT_TR_NOOP("Pours for"), QT_TR_NOOP("How long the milk of a new glass is poured"),
            kSeconds, 1.0, 1, 0.2, 10.0, true},
-    TeaRow{&S::pour_radius_m, QT_TR_NOOP("Stream"), QT_TR_NOOP("Radius of the stream"), kMillimetres,
-           1e3, 1, 1.0, 15.0},
-    TeaRow{&S::pour_speed_m_s, QT_TR_NOOP("Speed"), QT_TR_NOOP("Speed of the stream, downwards"),
-           QT_TR_NOOP(" m/s"), 1.0, 2, 0.0, 0.6}};
+    TeaRow{&S::pour_radius_m, QT_TR_NOOP("Stream"), QT_TR_NOOP("Radius of the stream at the jug"),
+           kMillimetres, 1e3, 1, 1.0, 15.0},
+    TeaRow{&S::pour_speed_m_s, QT_TR_NOOP("Speed"),
+           QT_TR_NOOP("Speed of the stream at the jug, downwards"), QT_TR_NOOP(" m/s"), 1.0, 2, 0.0,
+           0.6},
+    TeaRow{&S::pour_height_m, QT_TR_NOOP("Falls"),
+           QT_TR_NOOP("How high above the tea the lip of the jug is"), kMillimetres, 1e3, 1, 0.0,
+           100.0}};
 
 constexpr TeaRow kRising[] = {
     TeaRow{&S::fat_m_s2, QT_TR_NOOP("Fat lifts"), QT_TR_NOOP("How fast fat lets milk rise"),

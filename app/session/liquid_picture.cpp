@@ -74,13 +74,13 @@ void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished)
 namespace {
 
 trace::Scene tea_scene_of(const TeaSnapshot& snapshot, trace::MilkBody body, core::ThreadPool& pool) {
-    const liquid::Cup& cup = snapshot.settings.cup;
-    const auto& [step, parcels, dissolved] = snapshot.seen;
+    const liquid::Cup cup = snapshot.cup();
+    const auto& [step, parcels, dissolved, pour] = snapshot.seen;
     if (body == trace::MilkBody::Medium)
-        return trace::tea_scene(
-            cup, liquid::MilkDensities(pool).make(parcels, dissolved, cup,
-                                                  liquid::even_density(snapshot.settings)));
-    return trace::tea_scene(cup, grid::BlockField(dissolved),
+        return trace::tea_scene(cup, pour,
+                                liquid::MilkDensities(pool).make(
+                                    parcels, dissolved, cup, liquid::even_density(snapshot.settings)));
+    return trace::tea_scene(cup, pour, grid::BlockField(dissolved),
                             liquid::MilkSurfaces(pool).make(parcels, cup, dissolved.shape()).mesh);
 }
 

@@ -35,10 +35,10 @@ grid::BoxField unpacked(const grid::BoxShape& shape, const std::vector<std::uint
 }  // namespace
 
 void TeaFrames::keep(int step, const std::vector<liquid::Parcel>& parcels,
-                     const grid::BoxField& dissolved) {
+                     const grid::BoxField& dissolved, const liquid::SeenPour& pour) {
     if (!kept_.wants(step)) return;
     shape_ = dissolved.shape();
-    Packed frame{step, {}, packed(dissolved)};
+    Packed frame{step, {}, packed(dissolved), pour};
     frame.parcels.reserve(parcels.size());
     for (const liquid::Parcel& parcel : parcels)
         frame.parcels.push_back({parcel.position_m, parcel.volume_m3, parcel.shape});
@@ -47,7 +47,7 @@ void TeaFrames::keep(int step, const std::vector<liquid::Parcel>& parcels,
 
 TeaFrame TeaFrames::at(int step) const {
     const Packed& found = kept_.at(step);
-    TeaFrame frame{found.step, {}, unpacked(shape_, found.dissolved)};
+    TeaFrame frame{found.step, {}, unpacked(shape_, found.dissolved), found.pour};
     for (const PackedParcel& parcel : found.parcels)
         frame.parcels.push_back(
             {.position_m = parcel.position_m, .volume_m3 = parcel.volume_m3, .shape = parcel.shape});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "grid/box_field.hpp"
+#include "liquid/tea/milk_stream.hpp"
 #include "liquid/tea/parcel.hpp"
 #include "session/kept_frames.hpp"
 
@@ -16,6 +17,7 @@ struct TeaFrame {
     int step = 0;  ///< of the simulation
     std::vector<liquid::Parcel> parcels;
     grid::BoxField dissolved;
+    liquid::SeenPour pour;
 };
 
 /// As KeptFrames.
@@ -24,7 +26,8 @@ class TeaFrames {
     explicit TeaFrames(std::size_t budget_bytes) : kept_(budget_bytes) {}
 
     void clear() { kept_.clear(); }
-    void keep(int step, const std::vector<liquid::Parcel>& parcels, const grid::BoxField& dissolved);
+    void keep(int step, const std::vector<liquid::Parcel>& parcels, const grid::BoxField& dissolved,
+              const liquid::SeenPour& pour);
     std::vector<int> steps() const { return kept_.steps(); }
 
     /// Milk is kept in 1/65535 of a cell, and parcels without their coldness and balls.
@@ -43,6 +46,7 @@ class TeaFrames {
         int step = 0;
         std::vector<PackedParcel> parcels;
         std::vector<std::uint16_t> dissolved;
+        liquid::SeenPour pour;
         std::size_t bytes() const {
             return parcels.size() * sizeof(PackedParcel) + dissolved.size() * sizeof(std::uint16_t);
         }

@@ -49,7 +49,7 @@ void fill_milk(liquid::MilkDensities& densities, TeaSnapshot& snapshot) {
     liquid::MilkDensitySettings density = liquid::even_density(settings);
     density.cells = kSeenCells;
     const TeaFrame& seen = snapshot.seen;
-    snapshot.milk_share = densities.make(seen.parcels, seen.dissolved, settings.cup, density).dense();
+    snapshot.milk_share = densities.make(seen.parcels, seen.dissolved, snapshot.cup(), density).dense();
     find_milk(snapshot.milk_share, snapshot.milk_low_m, snapshot.milk_high_m);
     const grid::BoxField coarse = liquid::halved(snapshot.milk_share);
     snapshot.to_lamp_m = liquid::milk_depth_m(coarse, trace::Lamp{}.towards);
@@ -91,7 +91,7 @@ void TeaSession::make_glass(const liquid::TeaSettings& settings) {
     tea_->pour_recipe(false);
     settings_ = settings;
     frames_.clear();
-    frames_.keep(0, tea_->parcels(), tea_->dissolved());
+    frames_.keep(tea_->steps(), tea_->parcels(), tea_->dissolved(), tea_->pour());
     hand_m_.reset();
     glass_made();
 }
@@ -153,20 +153,13 @@ void TeaSession::pour(std::optional<glm::vec2> at_m) {
 double TeaSession::step_liquid() {
     tea_->step(pool());
     hand_has_poured_ = true;
-    frames_.keep(tea_->steps(), tea_->parcels(), tea_->dissolved());
+    frames_.keep(tea_->steps(), tea_->parcels(), tea_->dissolved(), tea_->pour());
     return tea_->settings().step_s;
 }
 
 TeaFrame TeaSession::frame_now() const {
     if (shown_step()) return frames_.at(*shown_step());
-    return {tea_->steps(), tea_->parcels(), tea_->dissolved()};
-}
-
-/// By hand, or by the recipe.
-std::optional<glm::vec2> TeaSession::stream() const {
-    if (shown_step() || paused()) return std::nullopt;
-    if (hand_m_) return hand_m_;
-    return tea_->recipe_flows() ? std::optional(settings_.cup.axis_m) : std::nullopt;
+    return {tea_->steps(), tea_->parcels(), tea_->dissolved(), tea_->pour()};
 }
 
 void TeaSession::make_moment(LiquidStatus& status) {
@@ -174,7 +167,6 @@ void TeaSession::make_moment(LiquidStatus& status) {
     snapshot->settings = with_force(settings_, force_);
     snapshot->seen = frame_now();
     snapshot->time_s = snapshot->seen.step * settings_.step_s;
-    snapshot->stream_m = stream();
     fill_milk(densities_, *snapshot);
     status.step = snapshot->seen.step;
     status.last_step = tea_->steps();

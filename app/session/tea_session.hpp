@@ -22,7 +22,9 @@ struct TeaSnapshot {
     grid::BoxField milk_share;  ///< parcels and dissolved milk, as fine as the view shows them
     grid::BoxField to_lamp_m, to_level_m;  ///< milk in the way of light (milk_depth.hpp), half as fine
     glm::vec3 milk_low_m{0.0F}, milk_high_m{0.0F};  ///< corners of a box in which all the milk is
-    std::optional<glm::vec2> stream_m;  ///< where milk is poured right now
+
+    /// Filled as it is seen.
+    liquid::Cup cup() const { return liquid::cup_in(seen.pour, settings.cup); }
 };
 
 /// Makes the milk's fields out of the settings and what is seen.
@@ -89,7 +91,6 @@ class TeaSession : public LiquidSession {
     void make_glass(const liquid::TeaSettings& settings);
     void use_settings();
     TeaFrame frame_now() const;
-    std::optional<glm::vec2> stream() const;
 
     // Of the session's thread alone.
     liquid::MilkDensities densities_{pool()};

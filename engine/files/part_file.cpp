@@ -19,14 +19,11 @@ static_assert(std::endian::native == std::endian::little, "files are written in 
 constexpr std::size_t kVersionAt = 8, kFlagsAt = 12, kSceneAt = 16, kFactsAt = 24;
 constexpr std::size_t kNumber = sizeof(std::uint64_t);
 
-std::size_t checksum_at(const PartFileKind& kind) {
-    return kind.head_bytes() - kNumber;
-}
-
-std::uint64_t checksum(std::string_view file, const PartFileKind& kind) {
+/// Of all of a file but the checksum at the end of its head.
+std::uint64_t checksum(std::string_view file, std::size_t head_bytes) {
     core::Hash64 hash;
-    hash.add(std::span(file.data(), checksum_at(kind)));
-    const std::string_view content = file.substr(kind.head_bytes());
+    hash.add(std::span(file.data(), head_bytes - kNumber));
+    const std::string_view content = file.substr(head_bytes);
     hash.add(std::span(content.data(), content.size()));
     return hash.value();
 }
@@ -37,6 +34,10 @@ std::string versions_read(const PartFileKind& kind) {
     return "versions " + std::to_string(kind.oldest) + " to " + newest;
 }
 
+std::string ends_within(std::size_t head_bytes) {
+    return "is damaged (it ends within its first " + std::to_string(head_bytes) + " bytes).";
+}
+
 template <class Value>
 void append(std::string& file, const Value& value) {
     file.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -44,8 +45,8 @@ void append(std::string& file, const Value& value) {
 
 }  // namespace
 
-std::size_t PartFileKind::head_bytes() const {
-    return kFactsAt + fact_bytes + kNumber * parts + kNumber;
+std::size_t PartFileKind::head_bytes(std::uint32_t of_version) const {
+    return kFactsAt + fact_bytes_of(of_version) + kNumber * parts + kNumber;
 }
 
 /// All first bytes of the values, then all second ones: those of neighbours resemble each other.
@@ -72,8 +73,9 @@ void PartFileWriter::write_bytes(const std::filesystem::path& path, std::uint64_
     append(file, std::uint64_t{0});
     for (const packing::Bytes& part : parts_)
         file.append(reinterpret_cast<const char*>(part.data()), part.size());
-    const std::uint64_t sum = checksum(file, kind_);
-    std::memcpy(file.data() + checksum_at(kind_), &sum, sizeof sum);
+    const std::size_t head = kind_.head_bytes(kind_.version);
+    const std::uint64_t sum = checksum(file, head);
+    std::memcpy(file.data() + head - kNumber, &sum, sizeof sum);
     core::write_text_file(path, file);
 }
 
@@ -81,12 +83,10 @@ PartFileReader::PartFileReader(std::filesystem::path path, const PartFileKind& k
                                std::uint64_t scene_hash)
     : path_(std::move(path)),
       kind_(kind),
-      file_(core::read_text_file(path_, kind.head_bytes() + kind.most_bytes)),
-      next_at_(kind.head_bytes()) {
+      file_(core::read_text_file(path_, kind.head_bytes(kind.version) + kind.most_bytes)) {
     const std::string sentence = fault(scene_hash);
     if (!sentence.empty()) refuse(sentence);
-    std::memcpy(&version_, file_.data() + kVersionAt, sizeof version_);
-    std::memcpy(&flags_, file_.data() + kFlagsAt, sizeof flags_);
+    next_at_ = head_bytes();
 }
 
 void PartFileReader::refuse(const std::string& sentence) const {
@@ -100,28 +100,29 @@ std::uint64_t PartFileReader::number_at(std::size_t byte) const {
 }
 
 std::uint64_t PartFileReader::part_bytes(std::size_t part) const {
-    return number_at(kFactsAt + kind_.fact_bytes + kNumber * part);
+    return number_at(kFactsAt + kind_.fact_bytes_of(version_) + kNumber * part);
 }
 
-/// What the file is instead of one of ours; empty when it is one.
-std::string PartFileReader::fault(std::uint64_t scene_hash) const {
+/// What the file is instead of one of ours; empty when it is one, whose version and flags are then
+/// known.
+std::string PartFileReader::fault(std::uint64_t scene_hash) {
     if (!std::string_view(file_).starts_with(std::string_view(kind_.mark.data(), kind_.mark.size())))
         return std::string("is no ") + kind_.what + ".";
-    if (file_.size() < kind_.head_bytes())
-        return "is damaged (it ends within its first " + std::to_string(kind_.head_bytes()) + " bytes).";
-    std::uint32_t version = 0;
-    std::memcpy(&version, file_.data() + kVersionAt, sizeof version);
-    if (version < kind_.oldest || version > kind_.version) {
-        return "is of version " + std::to_string(version) + ", this program reads " +
+    if (file_.size() < kSceneAt) return ends_within(kSceneAt);
+    std::memcpy(&version_, file_.data() + kVersionAt, sizeof version_);
+    std::memcpy(&flags_, file_.data() + kFlagsAt, sizeof flags_);
+    if (version_ < kind_.oldest || version_ > kind_.version) {
+        return "is of version " + std::to_string(version_) + ", this program reads " +
                versions_read(kind_) + ".";
     }
-    std::uint64_t left = file_.size() - kind_.head_bytes();
+    if (file_.size() < head_bytes()) return ends_within(head_bytes());
+    std::uint64_t left = file_.size() - head_bytes();
     for (std::size_t part = 0; part < kind_.parts; ++part) {
         if (part_bytes(part) > left) return "is damaged (it is shorter than it says).";
         left -= part_bytes(part);
     }
     if (left != 0) return "is damaged (it is longer than it says).";
-    if (number_at(checksum_at(kind_)) != checksum(file_, kind_))
+    if (number_at(head_bytes() - kNumber) != checksum(file_, head_bytes()))
         return "is damaged (its checksum is another).";
     if (number_at(kSceneAt) != scene_hash) return "belongs to another scene.";
     return {};
@@ -129,7 +130,7 @@ std::string PartFileReader::fault(std::uint64_t scene_hash) const {
 
 void PartFileReader::copy_facts(std::span<std::byte> facts) const {
     PASTOSO_CHECK_OP(facts.size(), ==, kind_.fact_bytes);
-    std::memcpy(facts.data(), file_.data() + kFactsAt, facts.size());
+    std::memcpy(facts.data(), file_.data() + kFactsAt, kind_.fact_bytes_of(version_));
 }
 
 void PartFileReader::skip() {

@@ -24,8 +24,14 @@ struct PartFileKind {
     std::size_t fact_bytes;  ///< of the kind's own struct in the head, a multiple of 8
     std::size_t parts;
     std::size_t most_bytes;  ///< of the parts; a larger file is not read
+    /// Versions up to this one have the first so many bytes of the struct alone.
+    std::uint32_t short_version = 0;
+    std::size_t short_fact_bytes = 0;
 
-    std::size_t head_bytes() const;
+    std::size_t fact_bytes_of(std::uint32_t of_version) const {
+        return of_version <= short_version ? short_fact_bytes : fact_bytes;
+    }
+    std::size_t head_bytes(std::uint32_t of_version) const;
 };
 
 /// Packs parts one after the other; then the file is written in one piece.
@@ -76,11 +82,12 @@ class PartFileReader {
     std::uint32_t version() const { return version_; }
     std::uint32_t flags() const { return flags_; }
 
-    /// The kind's own struct. Its numbers are whatever was written.
+    /// The kind's own struct. Its numbers are whatever was written; what an old version does not have
+    /// is as the struct begins.
     template <class Facts>
     Facts facts() const {
         static_assert(std::is_trivially_copyable_v<Facts>);
-        Facts facts;
+        Facts facts{};
         copy_facts(std::as_writable_bytes(std::span(&facts, 1)));
         return facts;
     }
@@ -101,7 +108,8 @@ class PartFileReader {
     [[noreturn]] void refuse(const std::string& sentence) const;
 
   private:
-    std::string fault(std::uint64_t scene_hash) const;
+    std::string fault(std::uint64_t scene_hash);
+    std::size_t head_bytes() const { return kind_.head_bytes(version_); }
     std::uint64_t number_at(std::size_t byte) const;
     std::uint64_t part_bytes(std::size_t part) const;
     void copy_facts(std::span<std::byte> facts) const;

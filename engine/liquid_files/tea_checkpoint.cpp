@@ -38,10 +38,15 @@ struct Facts {
     float hand_x_m = 0.0F, hand_y_m = 0.0F;
     double poured_m3 = 0.0;
     std::uint64_t jug_places = 0;
+    // Versions 1 and 2 end here: a recipe's stream ends as the scene says, a hand's with the hand.
+    double recipe_until_s = MilkJug::kNoEnd_s, hand_until_s = 0.0;
+    float recipe_x_m = 0.0F, recipe_y_m = 0.0F;
 
     BoxShape shape() const { return {nx, ny, nz, cell_m}; }
 };
-static_assert(sizeof(Facts) == 112);
+static_assert(sizeof(Facts) == 136);
+constexpr std::size_t kShortFactBytes = 112;
+constexpr std::uint32_t kShortVersion = 2;
 
 /// Parcels; dissolved, coldness; velocity x, y, z; pressure; spare velocity x, y, z; two spare fields of
 /// cells.
@@ -57,15 +62,21 @@ files::PartFileKind kind() {
             .parts = 1 + kFields,
             .most_bytes =
                 kFields * packing::most_packed_bytes(sizeof(float) * samples) +
-                packing::most_packed_bytes(sizeof(ParcelRecord) * std::size_t{liquid::kMaxParcels})};
+                packing::most_packed_bytes(sizeof(ParcelRecord) * std::size_t{liquid::kMaxParcels}),
+            .short_version = kShortVersion,
+            .short_fact_bytes = kShortFactBytes};
 }
 
 StreamFacts facts_of(const MilkJug::Stream& stream) {
     return {stream.seconds, stream.parcels};
 }
 
-MilkJug::Stream stream_of(const StreamFacts& facts) {
-    return {facts.seconds, static_cast<int>(facts.parcels)};
+MilkJug::Stream stream_of(const StreamFacts& facts, double until_s, float x_m, float y_m) {
+    return {facts.seconds, until_s, static_cast<int>(facts.parcels), {x_m, y_m}};
+}
+
+bool hand_pours(const MilkJug::Stream& hand) {
+    return hand.until_s == MilkJug::kNoEnd_s;
 }
 
 Facts facts_of(const TeaState& state) {
@@ -83,10 +94,12 @@ Facts facts_of(const TeaState& state) {
     facts.ball_draws = state.balls.draws;
     facts.recipe = facts_of(state.jug.recipe);
     facts.hand = facts_of(state.jug.hand);
-    if (state.jug.hand_m) {
-        facts.hand_x_m = state.jug.hand_m->x;
-        facts.hand_y_m = state.jug.hand_m->y;
-    }
+    facts.recipe_until_s = state.jug.recipe.until_s;
+    facts.hand_until_s = state.jug.hand.until_s;
+    facts.recipe_x_m = state.jug.recipe.at_m.x;
+    facts.recipe_y_m = state.jug.recipe.at_m.y;
+    facts.hand_x_m = state.jug.hand.at_m.x;
+    facts.hand_y_m = state.jug.hand.at_m.y;
     facts.poured_m3 = state.jug.poured_m3;
     facts.jug_places = state.jug.places;
     return facts;
@@ -105,11 +118,11 @@ bool is_allowed(const Facts& facts) {
 }
 
 void take_numbers(const Facts& facts, bool hand_pours, TeaState& state) {
+    const double hand_until_s = hand_pours ? MilkJug::kNoEnd_s : facts.hand_until_s;
     state.step = static_cast<int>(facts.step);
     state.balls = {facts.next_ball_s, facts.balls, facts.ball_draws};
-    state.jug.recipe = stream_of(facts.recipe);
-    state.jug.hand = stream_of(facts.hand);
-    if (hand_pours) state.jug.hand_m = glm::vec2(facts.hand_x_m, facts.hand_y_m);
+    state.jug.recipe = stream_of(facts.recipe, facts.recipe_until_s, facts.recipe_x_m, facts.recipe_y_m);
+    state.jug.hand = stream_of(facts.hand, hand_until_s, facts.hand_x_m, facts.hand_y_m);
     state.jug.poured_m3 = facts.poured_m3;
     state.jug.places = static_cast<std::uint32_t>(facts.jug_places);
 }
@@ -140,7 +153,7 @@ void write_tea_checkpoint(const std::filesystem::path& path, const TeaState& sta
     for (std::size_t n = 0; n < kMostSpareCells; ++n)
         n < facts.spare_cells ? add_field(file, state.flow.spare_cells[n], BoxSamples::All)
                               : file.add_nothing();
-    file.write(path, scene_hash, state.jug.hand_m ? 1 : 0, facts);
+    file.write(path, scene_hash, hand_pours(state.jug.hand) ? 1 : 0, facts);
 }
 
 TeaState read_tea_checkpoint(const std::filesystem::path& path, std::uint64_t scene_hash) {

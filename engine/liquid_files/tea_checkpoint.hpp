@@ -9,7 +9,7 @@
 
 namespace pastoso::liquid_files {
 
-inline constexpr int kTeaCheckpointVersion = 2;
+inline constexpr int kTeaCheckpointVersion = 3;
 
 /// "FOLDER/checkpoint.tea", beside the frames.
 std::filesystem::path tea_checkpoint_path(const std::filesystem::path& folder);

@@ -8,7 +8,7 @@
 
 namespace pastoso::liquid_files {
 
-inline constexpr int kTeaFileVersion = 2;
+inline constexpr int kTeaFileVersion = 3;
 inline constexpr int kMostTeaCellsAlong = 1024;
 inline constexpr std::int64_t kMostTeaCells = std::int64_t{1} << 27;
 inline constexpr std::int64_t kMostTeaParcels = 10'000'000;

@@ -54,6 +54,12 @@ void check_cup(const liquid::Cup& cup) {
     check("cup radius at the rim", cup.inner_radius_m(cup.rim_m), 1e-4F, 10.0F);
 }
 
+void check_dent(const LevelDent& dent) {
+    check_place("dent", {dent.at_m, 0.0F});
+    check("dent radius", dent.radius_m, 1e-6F, kFarthest_m);
+    check("dent depth", dent.depth_m, 0.0F, dent.radius_m);
+}
+
 void check_tank(const Tank& tank) {
     check_place("tank inner_low", tank.inner_low_m);
     for (int axis = 0; axis < 3; ++axis)
@@ -126,6 +132,8 @@ void check_table(const Table& table) {
 
 void check_scene(const Scene& scene) {
     if (scene.cup) check_cup(*scene.cup);
+    for (const LevelDent& dent : scene.dents)
+        check_dent(dent);
     if (scene.tank) check_tank(*scene.tank);
     check_mesh("milk", scene.milk);
     check_mesh("clear_liquid", scene.clear_liquid);

@@ -7,6 +7,7 @@
 #include "liquid/tea/cup.hpp"
 
 #include <optional>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -65,8 +66,16 @@ struct Sky {
     glm::vec3 window_radiance{1.28F};
 };
 
+/// A hollow of the cup's level: depth exp(-(r / radius)^2) deep at the distance r from its middle.
+struct LevelDent {
+    glm::vec2 at_m{0.0F};
+    float depth_m = 0.0F;    ///< 0 up to the radius
+    float radius_m = 0.01F;  ///< > 0
+};
+
 struct Scene {
     std::optional<liquid::Cup> cup = liquid::Cup{};  ///< with tea up to its level
+    std::vector<LevelDent> dents;                    ///< of that level
     std::optional<Tank> tank;                        ///< empty but for clear_liquid
     liquid::TriangleMesh milk;                       ///< a dull body; closed, not within glass
     /// The surface of a clear liquid, closed. Where it touches glass it shall reach into it: within

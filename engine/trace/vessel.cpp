@@ -76,7 +76,48 @@ void CupSurfaces::meet_disc(const Ray& ray, float height_m, float from_m, float 
     hit.outer = above;
 }
 
-CupSurfaces::CupSurfaces(const liquid::Cup& cup) : cup_(cup) {
+/// The height of the level at a place, and how it rises there.
+float CupSurfaces::level_m(const glm::vec2& place_m, glm::vec2& slope) const {
+    float height_m = cup_.level_m;
+    slope = glm::vec2(0.0F);
+    for (const LevelDent& dent : dents_) {
+        const glm::vec2 from = (place_m - dent.at_m) / dent.radius_m;
+        const float deep_m = dent.depth_m * fast_exp(-glm::dot(from, from));
+        height_m -= deep_m;
+        slope += from * (2.0F * deep_m / dent.radius_m);
+    }
+    return height_m;
+}
+
+/// From where the ray meets the level at rest by Newton's method: slopes are gentle, so that it ends
+/// within a micrometre, and a ray so level that it does not has missed.
+void CupSurfaces::meet_level(const Ray& ray, SurfaceHit& hit) const {
+    constexpr int kRounds = 8;
+    constexpr float kMet_m = 1e-6F;
+    float t = (cup_.level_m - ray.origin.z) / ray.direction.z, above_m = 0.0F;
+    glm::vec2 slope(0.0F);
+    for (int round = 0; round < kRounds; ++round) {
+        const glm::vec3 at = ray.origin + ray.direction * t;
+        above_m = at.z - level_m(glm::vec2(at), slope);
+        if (std::abs(above_m) < kMet_m) break;
+        t -= above_m / (ray.direction.z - glm::dot(slope, glm::vec2(ray.direction)));
+    }
+    if (!(std::abs(above_m) < kMet_m && t > kNearest_m && t < hit.distance)) return;
+    const glm::vec2 place = glm::vec2(ray.origin) + glm::vec2(ray.direction) * t - cup_.axis_m;
+    const float radius = cup_.inner_radius_m(cup_.level_m);
+    if (glm::dot(place, place) > radius * radius) return;
+    hit.distance = t;
+    hit.kind = SurfaceKind::Clear;
+    hit.decided = kGlass | kLiquid;
+    hit.normal = hit.shading = glm::normalize(glm::vec3(-slope, 1.0F));
+    hit.inner = kLiquid;
+    hit.outer = kAir;
+}
+
+CupSurfaces::CupSurfaces(const liquid::Cup& cup, std::vector<LevelDent> dents)
+    : cup_(cup), dents_(std::move(dents)), lowest_(cup) {
+    for (const LevelDent& dent : dents_)
+        lowest_.level_m -= dent.depth_m;
     const float half = 0.5F * (cup_.rim_m - cup_.foot_m);
     const float widest = std::max(rim_radius_m(), foot_radius_m());
     ball_ = {{cup_.axis_m, cup_.foot_m + half}, std::sqrt(widest * widest + half * half)};
@@ -127,7 +168,9 @@ void CupSurfaces::meet(const Ray& ray, unsigned here, SurfaceHit& hit) const {
     // What is round about the tea is found from within it by these three alone.
     meet_wall(ray, true, hit);
     meet_disc(ray, cup_.floor_m, 0.0F, cup_.floor_radius_m, kGlass, kLiquid, hit);
-    if ((here & kGlass) == 0) meet_disc(ray, cup_.level_m, 0.0F, level_radius, kLiquid, kAir, hit);
+    if ((here & kGlass) == 0)
+        dents_.empty() ? meet_disc(ray, cup_.level_m, 0.0F, level_radius, kLiquid, kAir, hit)
+                       : meet_level(ray, hit);
     if (in_tea) return;
     meet_wall(ray, false, hit);
     float before = hit.distance;

@@ -6,6 +6,7 @@
 #include "trace/surfaces.hpp"
 
 #include <array>
+#include <vector>
 
 namespace pastoso::trace {
 
@@ -15,10 +16,11 @@ struct Ball {
     float radius_m = 0.0F;
 };
 
-/// Glass in air around tea up to the level: two cones, the rim, the underside, the floor and the level.
+/// Glass in air around tea up to the level: two cones, the rim, the underside, the floor and
+/// the level with its dents.
 class CupSurfaces {
   public:
-    explicit CupSurfaces(const liquid::Cup& cup);
+    explicit CupSurfaces(const liquid::Cup& cup, std::vector<LevelDent> dents = {});
 
     /// Takes what is nearer than `hit`; `here` is where the ray starts.
     void meet(const Ray& ray, unsigned here, SurfaceHit& hit) const;
@@ -35,12 +37,16 @@ class CupSurfaces {
     const Ball& ball() const { return ball_; }
 
     /// How far a place in the tea is from its surface.
-    float clearance_m(const glm::vec3& point_m) const { return -liquid::tea_distance_m(cup_, point_m); }
+    float clearance_m(const glm::vec3& point_m) const {
+        return -liquid::tea_distance_m(lowest_, point_m);
+    }
 
   private:
     void meet_wall(const Ray& ray, bool inner, SurfaceHit& hit) const;
     void meet_disc(const Ray& ray, float height_m, float from_m, float to_m, unsigned below,
                    unsigned above, SurfaceHit& hit) const;
+    void meet_level(const Ray& ray, SurfaceHit& hit) const;
+    float level_m(const glm::vec2& place_m, glm::vec2& slope) const;
     glm::vec3 rounded_foot(const glm::vec3& out, float z_m) const;
     glm::vec3 rounded_lip(const glm::vec2& place_m) const;
     bool passes_by(const Ray& ray) const;
@@ -49,6 +55,8 @@ class CupSurfaces {
     float side_area_m2() const;
 
     liquid::Cup cup_;
+    std::vector<LevelDent> dents_;
+    liquid::Cup lowest_;  ///< filled up to the deepest of them
     Ball ball_;
 };
 

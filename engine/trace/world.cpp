@@ -33,7 +33,7 @@ World::World(const Scene& scene)
       solids_(scene.solids),
       medium_(scene.milk_share, scene.optics.milk_scattering_per_m),
       light_(scene.lamp, scene.sky) {
-    if (scene.cup) cup_.emplace(*scene.cup);
+    if (scene.cup) cup_.emplace(*scene.cup, scene.dents);
     if (scene.tank) tank_.emplace(*scene.tank);
 }
 

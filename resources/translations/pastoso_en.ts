@@ -3160,16 +3160,8 @@
         <translation>Stream</translation>
     </message>
     <message>
-        <source>Radius of the stream</source>
-        <translation>Radius of the stream</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Speed</translation>
-    </message>
-    <message>
-        <source>Speed of the stream, downwards</source>
-        <translation>Speed of the stream, downwards</translation>
     </message>
     <message>
         <source> m/s</source>
@@ -3562,6 +3554,34 @@
     <message>
         <source>A wide stream of milk billows up and fills the glass</source>
         <translation>A wide stream of milk billows up and fills the glass</translation>
+    </message>
+    <message>
+        <source>poured low</source>
+        <translation>poured low</translation>
+    </message>
+    <message>
+        <source>from high</source>
+        <translation>from high</translation>
+    </message>
+    <message>
+        <source>Poured low, milk comes to lie on the floor; from high, it stirs the whole glass</source>
+        <translation>Poured low, milk comes to lie on the floor; from high, it stirs the whole glass</translation>
+    </message>
+    <message>
+        <source>Radius of the stream at the jug</source>
+        <translation>Radius of the stream at the jug</translation>
+    </message>
+    <message>
+        <source>Speed of the stream at the jug, downwards</source>
+        <translation>Speed of the stream at the jug, downwards</translation>
+    </message>
+    <message>
+        <source>Falls</source>
+        <translation>Falls</translation>
+    </message>
+    <message>
+        <source>How high above the tea the lip of the jug is</source>
+        <translation>How high above the tea the lip of the jug is</translation>
     </message>
 </context>
 <context>

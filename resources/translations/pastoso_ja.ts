@@ -3155,16 +3155,8 @@
         <translation>流れ</translation>
     </message>
     <message>
-        <source>Radius of the stream</source>
-        <translation>流れの半径</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>速さ</translation>
-    </message>
-    <message>
-        <source>Speed of the stream, downwards</source>
-        <translation>流れが落ちる速さ</translation>
     </message>
     <message>
         <source> m/s</source>
@@ -3557,6 +3549,34 @@
     <message>
         <source>A wide stream of milk billows up and fills the glass</source>
         <translation>太く注いだミルクが湧き上がり、グラスを満たします</translation>
+    </message>
+    <message>
+        <source>poured low</source>
+        <translation>低くから注ぐ</translation>
+    </message>
+    <message>
+        <source>from high</source>
+        <translation>高くから注ぐ</translation>
+    </message>
+    <message>
+        <source>Poured low, milk comes to lie on the floor; from high, it stirs the whole glass</source>
+        <translation>低くから注ぐとミルクは底にたまり、高くから注ぐとグラス全体をかき混ぜます</translation>
+    </message>
+    <message>
+        <source>Radius of the stream at the jug</source>
+        <translation>ピッチャーの口での流れの半径</translation>
+    </message>
+    <message>
+        <source>Speed of the stream at the jug, downwards</source>
+        <translation>ピッチャーの口での流れの下向きの速さ</translation>
+    </message>
+    <message>
+        <source>Falls</source>
+        <translation>落差</translation>
+    </message>
+    <message>
+        <source>How high above the tea the lip of the jug is</source>
+        <translation>ピッチャーの口が紅茶からどれだけ高いか</translation>
     </message>
 </context>
 <context>

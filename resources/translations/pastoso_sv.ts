@@ -3160,16 +3160,8 @@
         <translation>Stråle</translation>
     </message>
     <message>
-        <source>Radius of the stream</source>
-        <translation>Strålens radie</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Fart</translation>
-    </message>
-    <message>
-        <source>Speed of the stream, downwards</source>
-        <translation>Strålens fart nedåt</translation>
     </message>
     <message>
         <source> m/s</source>
@@ -3562,6 +3554,34 @@
     <message>
         <source>A wide stream of milk billows up and fills the glass</source>
         <translation>En bred mjölkstråle väller upp och fyller glaset</translation>
+    </message>
+    <message>
+        <source>poured low</source>
+        <translation>hälls lågt</translation>
+    </message>
+    <message>
+        <source>from high</source>
+        <translation>från högt</translation>
+    </message>
+    <message>
+        <source>Poured low, milk comes to lie on the floor; from high, it stirs the whole glass</source>
+        <translation>Hälls mjölken lågt lägger den sig på botten; från högt rör den om hela glaset</translation>
+    </message>
+    <message>
+        <source>Radius of the stream at the jug</source>
+        <translation>Strålens radie vid kannan</translation>
+    </message>
+    <message>
+        <source>Speed of the stream at the jug, downwards</source>
+        <translation>Strålens fart nedåt vid kannan</translation>
+    </message>
+    <message>
+        <source>Falls</source>
+        <translation>Faller</translation>
+    </message>
+    <message>
+        <source>How high above the tea the lip of the jug is</source>
+        <translation>Hur högt över teet kannans pip är</translation>
     </message>
 </context>
 <context>

@@ -3155,16 +3155,8 @@
         <translation>水流</translation>
     </message>
     <message>
-        <source>Radius of the stream</source>
-        <translation>水流的半徑</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>速度</translation>
-    </message>
-    <message>
-        <source>Speed of the stream, downwards</source>
-        <translation>水流向下的速度</translation>
     </message>
     <message>
         <source> m/s</source>
@@ -3557,6 +3549,34 @@
     <message>
         <source>A wide stream of milk billows up and fills the glass</source>
         <translation>寬闊的牛奶流翻湧而上，充滿杯子</translation>
+    </message>
+    <message>
+        <source>poured low</source>
+        <translation>低處倒入</translation>
+    </message>
+    <message>
+        <source>from high</source>
+        <translation>高處倒入</translation>
+    </message>
+    <message>
+        <source>Poured low, milk comes to lie on the floor; from high, it stirs the whole glass</source>
+        <translation>從低處倒入，牛奶沉積於杯底；從高處倒入，則攪動整杯</translation>
+    </message>
+    <message>
+        <source>Radius of the stream at the jug</source>
+        <translation>壺嘴處細流的半徑</translation>
+    </message>
+    <message>
+        <source>Speed of the stream at the jug, downwards</source>
+        <translation>壺嘴處細流向下的速度</translation>
+    </message>
+    <message>
+        <source>Falls</source>
+        <translation>落差</translation>
+    </message>
+    <message>
+        <source>How high above the tea the lip of the jug is</source>
+        <translation>壺嘴高於茶面多少</translation>
     </message>
 </context>
 <context>

@@ -154,6 +154,7 @@ TEST(TeaSession, AClickPoursHoweverShortItIs) {
     session.pour(glm::vec2(0.06F, 0.05F));
     session.pour(std::nullopt);
     session.wait_until_applied();
+    wait_for_step(session, session.status().last_step + 6);  // it falls
     EXPECT_GT(session.status().milk_m3, before_m3);
     EXPECT_FALSE(session.status().pouring);
 }
@@ -236,8 +237,10 @@ TEST(TeaFrames, GivesBackWhatItKept) {
     dissolved.at(1, 2, 3) = 0.25F;
     TeaFrames frames(1 << 20);
     const liquid::ParcelShape shape = {.xx = 4.0F, .xz = 0.5F};
-    frames.keep(0, {{.position_m = {0.1F, 0.2F, 0.3F}, .volume_m3 = 2e-9F, .shape = shape}}, dissolved);
-    frames.keep(1, {}, dissolved);
+    liquid::SeenPour pour{.level_m = 0.08F, .streams = {{.at_m = {0.04F, 0.05F}, .lip_m = 0.12F}}};
+    frames.keep(0, {{.position_m = {0.1F, 0.2F, 0.3F}, .volume_m3 = 2e-9F, .shape = shape}}, dissolved,
+                pour);
+    frames.keep(1, {}, dissolved, {});
     const TeaFrame first = frames.at(0);
     ASSERT_EQ(first.parcels.size(), 1U);
     EXPECT_EQ(first.parcels[0].position_m, glm::vec3(0.1F, 0.2F, 0.3F));
@@ -245,6 +248,7 @@ TEST(TeaFrames, GivesBackWhatItKept) {
     EXPECT_EQ(first.parcels[0].shape, shape);
     // Half a step of the sixteen bits.
     EXPECT_NEAR(first.dissolved.at(1, 2, 3), 0.25F, 0.5F / 65535.0F);
+    EXPECT_EQ(first.pour, pour);
     EXPECT_EQ(frames.at(9).step, 1);
 }
 
@@ -253,7 +257,7 @@ TEST(TeaFrames, KeepsToItsMemoryByKeepingFewer) {
     const std::size_t one = 8 * 8 * 8 * sizeof(std::uint16_t);
     TeaFrames frames(10 * one);
     for (int step = 0; step <= 100; ++step)
-        frames.keep(step, {}, dissolved);
+        frames.keep(step, {}, dissolved, {});
     EXPECT_LE(frames.bytes(), 10 * one);
     const std::vector<int> steps = frames.steps();
     EXPECT_EQ(steps.front(), 0);

@@ -86,7 +86,7 @@ TEST_F(TeaViewBesideAPicture, IsAsBright) {
             tea.step(pool);
         auto snapshot = std::make_shared<session::TeaSnapshot>();
         snapshot->settings = settings;
-        snapshot->seen = {tea.steps(), tea.parcels(), tea.dissolved()};
+        snapshot->seen = {tea.steps(), tea.parcels(), tea.dissolved(), tea.pour()};
         snapshot->time_s = tea.time_s();
         session::fill_milk(densities, *snapshot);
         const QImage view_image = seen(snapshot);

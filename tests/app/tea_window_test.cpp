@@ -276,6 +276,7 @@ TEST_F(TeaWindow, APressOnTheTeaPours) {
     mouse(QEvent::MouseButtonRelease, place, Qt::LeftButton, Qt::NoButton);
     glass().wait_until_applied();
     EXPECT_FALSE(glass().status().pouring);
+    wait_for([&] { return glass().snapshot()->seen.pour.streams.empty(); });
     pause();
     const double poured_m3 = glass().status().milk_m3;
     action(Command::LiquidPause)->trigger();

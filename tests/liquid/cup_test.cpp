@@ -48,5 +48,18 @@ TEST(Cup, AStraightCupHoldsACylinder) {
     EXPECT_NEAR(tea_volume_m3(cup), exact, 1e-6 * exact);
 }
 
+TEST(Cup, ItsLevelIsThatOfWhatFillsIt) {
+    for (const float slope : {-0.3F, 0.0F, 0.1F, 0.8F}) {
+        Cup cup;
+        cup.slope = slope;
+        for (const float level_m : {0.01F, 0.05F, 0.088F, 0.12F}) {
+            if (cup.inner_radius_m(level_m) < 0.005F) continue;
+            const double volume_m3 = tea_volume_m3(filled_to(cup, level_m));
+            EXPECT_NEAR(level_at_volume_m(cup, volume_m3), level_m, 1e-7F) << slope;
+        }
+    }
+    EXPECT_EQ(level_at_volume_m(Cup{}, 0.0), Cup{}.floor_m);
+}
+
 }  // namespace
 }  // namespace pastoso::liquid

@@ -73,6 +73,7 @@ TeaSettings starting_plume() {
     settings.viscosity_m2_s = 1e-6;
     settings.pour_radius_m = 0.003;
     settings.pour_speed_m_s = 0.106;
+    settings.pour_height_m = 0.0;
     settings.pour_s = 4.0;
     settings.milk_m3 = kPi * settings.pour_radius_m * settings.pour_radius_m * settings.pour_speed_m_s *
                        settings.pour_s;
@@ -84,9 +85,7 @@ TeaSettings starting_plume() {
 double exponent_of_starting_plume(std::uint32_t seed, core::ThreadPool& pool) {
     const TeaSettings settings = starting_plume();
     MilkTea tea(settings);
-    TeaState by_hand = tea.state();
-    by_hand.jug.recipe = {settings.pour_s, settings.parcels};
-    tea.set_state(std::move(by_hand));
+    tea.pour_recipe(false);
     auto aside_m = [&, lot = 0U]() mutable {
         const float shake_m = 0.5F * static_cast<float>(settings.pour_radius_m);
         return shake_m * (2.0F * core::uniform_noise(lot++, seed) - 1.0F);

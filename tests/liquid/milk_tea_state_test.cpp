@@ -102,7 +102,8 @@ TEST(MilkTeaState, TakesTheStateOfTheSameGlassAlone) {
     refuses([](TeaState& state) { state.balls.count = 1 << 29; });
     refuses([](TeaState& state) { state.jug.recipe.parcels = -1; });
     refuses([](TeaState& state) { state.jug.poured_m3 = std::numeric_limits<double>::infinity(); });
-    refuses([&](TeaState& state) { state.jug.hand_m = glm::vec2(nan, 0.0F); });
+    refuses([](TeaState& state) { state.jug.recipe.until_s = -1.0; });
+    refuses([&](TeaState& state) { state.jug.hand.at_m.x = nan; });
     const grid::BoxField smaller(grid::BoxShape{8, 8, 8, 0.0125F});
     refuses([&](TeaState& state) { state.coldness = smaller; });
     refuses([&](TeaState& state) { state.flow.velocity.y = smaller; });

@@ -43,7 +43,7 @@ double unevenness(const MilkTea& tea) {
             for (int i = 0; i < shape.nx; ++i) {
                 const glm::vec3 at(static_cast<float>(i) + 0.5F, static_cast<float>(j) + 0.5F,
                                    static_cast<float>(k) + 0.5F);
-                if (tea_distance_m(tea.settings().cup, shape.cell_m * at) > -shape.cell_m) continue;
+                if (tea_distance_m(tea.cup(), shape.cell_m * at) > -shape.cell_m) continue;
                 const auto share = static_cast<double>(tea.dissolved().at(i, j, k));
                 sum += share;
                 squares += share * share;
@@ -70,6 +70,7 @@ TEST(MilkTea, AllMilkOfTheRecipeIsPouredAndKept) {
 TEST(MilkTea, ItSinksBallsFormAndItBecomesEven) {
     core::ThreadPool pool(2);
     TeaSettings settings = small_tea();
+    settings.pour_height_m = 0.0;
     settings.first_ball_s = 3.0;
     settings.rest_ends_s = 8.0;
     MilkTea tea(settings);
@@ -107,25 +108,95 @@ TEST(MilkTea, TheSameBitsOnAnyNumberOfThreads) {
 TEST(MilkTea, MilkThatIsPouredByHandFallsWhereTheHandIs) {
     core::ThreadPool pool(2);
     TeaSettings settings = small_tea();
-    settings.pour_s = 0.5;
+    settings.pour_height_m = 0.018;
     MilkTea tea(settings);
-    run(tea, 0.5, pool);
-    const std::size_t before = tea.parcels().size();
+    tea.pour_recipe(false);
     tea.pour_by_hand(glm::vec2(0.035F, 0.05F));
     tea.step(pool);
-    tea.step(pool);
     tea.pour_by_hand(std::nullopt);
-    ASSERT_GT(tea.parcels().size(), before);
+    EXPECT_TRUE(tea.parcels().empty()) << "it is in the air";
+    ASSERT_EQ(tea.pour().streams.size(), 1U);
+    run(tea, 0.2, pool);
+    EXPECT_TRUE(tea.pour().streams.empty());
+    // As much as flows in a step.
+    EXPECT_NEAR(tea.parcels().size(), 1500.0 / settings.pour_s * settings.step_s, 1.0);
     double x_m = 0.0;
-    for (std::size_t i = before; i < tea.parcels().size(); ++i)
-        x_m += static_cast<double>(tea.parcels()[i].position_m.x);
-    x_m /= static_cast<double>(tea.parcels().size() - before);
-    // The stream is 12 mm wide.
+    for (const Parcel& parcel : tea.parcels())
+        x_m += static_cast<double>(parcel.position_m.x);
+    x_m /= static_cast<double>(tea.parcels().size());
+    // The stream is 6 mm wide.
     EXPECT_NEAR(x_m, 0.035, 0.002);
-    const std::size_t poured = tea.parcels().size();
-    tea.step(pool);
-    EXPECT_LE(tea.parcels().size(), poured);
     EXPECT_NEAR(tea.milk_m3(pool), tea.poured_m3(), 1e-5 * tea.poured_m3());
+}
+
+TEST(MilkTea, TheLevelRisesByWhatIsPoured) {
+    core::ThreadPool pool(2);
+    MilkTea tea(small_tea());
+    const Cup& cup = tea.settings().cup;
+    const double rest_m3 = tea_volume_m3(cup) - tea.settings().milk_m3;
+    EXPECT_NEAR(tea_volume_m3(tea.cup()), rest_m3, 1e-6 * rest_m3);
+    const long cells_at_rest = tea.flow().walls().open_cell_count();
+    long cells = tea.flow().walls().open_cell_count();
+    while (tea.time_s() < 2.5) {
+        tea.step(pool);
+        EXPECT_NEAR(tea_volume_m3(tea.cup()), rest_m3 + tea.poured_m3(), 1e-6 * rest_m3);
+        for (const Parcel& parcel : tea.parcels())
+            ASSERT_LE(tea_distance_m(tea.cup(), parcel.position_m), 1e-6F);
+        EXPECT_GE(tea.flow().walls().open_cell_count(), cells);
+        cells = tea.flow().walls().open_cell_count();
+    }
+    EXPECT_NEAR(tea.cup().level_m, cup.level_m, 1e-6F);
+    EXPECT_GT(cells, cells_at_rest);
+    EXPECT_NEAR(tea.milk_m3(pool), tea.poured_m3(), 1e-5 * tea.poured_m3());
+}
+
+/// Milk poured into a cloudy glass does not come to stand under a clear layer.
+TEST(MilkTea, WhatIsCloudyStaysSoUpToARisingLevel) {
+    core::ThreadPool pool(2);
+    TeaSettings settings = small_tea();
+    settings.dissolving_at_rest_s = 0.05;
+    MilkTea tea(settings);
+    run(tea, 60.0, pool);
+    const double before_m3 = tea.milk_m3(pool);
+    const float level_m = tea.cup().level_m;
+    tea.pour_by_hand(settings.cup.axis_m);
+    run(tea, 60.4, pool);
+    const grid::BoxShape& shape = tea.flow().shape();
+    ASSERT_GT(tea.cup().level_m, level_m + 0.1F * shape.cell_m);
+    EXPECT_NEAR(tea.milk_m3(pool) - before_m3, tea.poured_m3() - settings.milk_m3, 1e-5 * before_m3);
+    const int top = static_cast<int>((tea.cup().level_m - 1e-5F) / shape.cell_m);
+    const float beside = tea.dissolved().at(6, shape.ny / 2, top);
+    EXPECT_GT(beside, 0.5F * static_cast<float>(before_m3 / tea_volume_m3(settings.cup)));
+}
+
+/// It falls as a stone does, and its stream narrows as its speed grows.
+TEST(MilkTea, MilkFallsFreelyThroughTheAir) {
+    core::ThreadPool pool(2);
+    TeaSettings settings = small_tea();
+    settings.pour_height_m = 0.12;
+    settings.pour_s = 0.06;
+    settings.step_s = 0.01;
+    MilkTea tea(settings);
+    EXPECT_TRUE(tea.pour().streams.empty());
+    const double v0 = settings.pour_speed_m_s, g = 9.81;
+    const double fall_s = (std::sqrt(v0 * v0 + 2.0 * g * settings.pour_height_m) - v0) / g;
+    while (tea.time_s() < fall_s - settings.step_s) {
+        tea.step(pool);
+        const double t = tea.time_s(), since = std::max(t - settings.pour_s, 0.0);
+        const SeenPour pour = tea.pour();
+        ASSERT_EQ(pour.streams.size(), 1U);
+        const MilkStream& stream = pour.streams[0];
+        const double lip_m = static_cast<double>(pour.level_m) + settings.pour_height_m;
+        EXPECT_NEAR(stream.low_m, lip_m - (v0 * t + 0.5 * g * t * t), 1e-6);
+        EXPECT_NEAR(stream.high_m, lip_m - (v0 * since + 0.5 * g * since * since), 1e-6);
+        const double v = v0 + g * t;
+        EXPECT_NEAR(stream.speed_m_s(stream.low_m), v, 1e-4);
+        EXPECT_NEAR(stream.radius_m(stream.low_m), settings.pour_radius_m * std::sqrt(v0 / v), 1e-7);
+        EXPECT_TRUE(tea.parcels().empty());
+    }
+    run(tea, 0.3, pool);
+    EXPECT_TRUE(tea.pour().streams.empty());
+    EXPECT_EQ(tea.parcels().size(), 1500U);
 }
 
 TEST(MilkTea, AHandBesideTheCupPoursAlongItsWall) {
@@ -134,7 +205,7 @@ TEST(MilkTea, AHandBesideTheCupPoursAlongItsWall) {
     tea.pour_by_hand(glm::vec2(-3.0F, 5.0F));
     run(tea, 0.5, pool);
     for (const Parcel& parcel : tea.parcels())
-        EXPECT_LE(tea_distance_m(tea.settings().cup, parcel.position_m), 1e-6F);
+        EXPECT_LE(tea_distance_m(tea.cup(), parcel.position_m), 1e-6F);
 }
 
 TEST(MilkTea, TheGlassDoesNotOverflow) {
@@ -142,6 +213,23 @@ TEST(MilkTea, TheGlassDoesNotOverflow) {
     TeaSettings settings = small_tea();
     settings.cells = 12;
     settings.pour_s = 0.05;
+    MilkTea tea(settings);
+    tea.pour_by_hand(settings.cup.axis_m);
+    run(tea, 3.0, pool);
+    EXPECT_LT(tea.cup().level_m, settings.cup.rim_m);
+    // 2 mm are left; a parcel more would lift it by 0.003 mm.
+    EXPECT_NEAR(tea.cup().level_m, settings.cup.rim_m - 0.002F, 1e-5F);
+    for (const Parcel& parcel : tea.parcels())
+        EXPECT_LE(tea_distance_m(tea.cup(), parcel.position_m), 1e-6F);
+}
+
+TEST(MilkTea, NoMoreIsPouredThanTheTeaIsHalfMilk) {
+    core::ThreadPool pool(2);
+    TeaSettings settings = small_tea();
+    settings.cells = 12;
+    settings.pour_s = 0.05;
+    settings.cup.level_m = 0.03F;
+    settings.milk_m3 = 20e-6;
     MilkTea tea(settings);
     tea.pour_by_hand(settings.cup.axis_m);
     run(tea, 3.0, pool);

@@ -1,5 +1,6 @@
 #include "liquid_files/tea_cache.hpp"
 
+#include "core/hash.hpp"
 #include "core/random.hpp"
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
@@ -21,12 +22,15 @@ using liquid::TeaFrame;
 using testing::HasSubstr;
 
 constexpr std::uint64_t kScene = 0x123456789abcdef0U;
-constexpr std::size_t kHeadBytes = 96;
+constexpr std::size_t kHeadBytes = 160;
 
 TeaFrame frame_of(int parcels, const grid::BoxShape& shape, bool coldness) {
     TeaFrame frame;
     frame.time_s = 1.25;
     frame.step = 37;
+    frame.pour = {0.081F,
+                  {{{0.05F, 0.06F}, 0.099F, 0.099F, 0.081F, 0.16F, 0.006F},
+                   {{0.03F, 0.04F}, 0.099F, 0.09F, 0.085F, 0.16F, 0.006F}}};
     for (int n = 0; n < parcels; ++n) {
         const auto share = [n](std::uint32_t stream) {
             return core::uniform_noise(static_cast<std::uint32_t>(n), stream);
@@ -56,6 +60,7 @@ void expect_equal(const TeaFrame& a, const TeaFrame& b) {
     EXPECT_EQ(a.parcels, b.parcels);
     EXPECT_EQ(a.dissolved, b.dissolved);
     EXPECT_EQ(a.coldness, b.coldness);
+    EXPECT_EQ(a.pour, b.pour);
 }
 
 class TeaCacheTest : public files::TemporaryFolder {
@@ -83,11 +88,19 @@ TEST_F(TeaCacheTest, FramesComeBackAsTheyWere) {
 
 TEST_F(TeaCacheTest, TheHeadIsAsDocumented) {
     const std::string file = written(frame_of(2, {7, 5, 3, 0.01F}, false));
-    EXPECT_EQ(file.substr(0, 16), std::string("PastoTea\2\0\0\0\0\0\0\0", 16));
+    EXPECT_EQ(file.substr(0, 16), std::string("PastoTea\3\0\0\0\0\0\0\0", 16));
     EXPECT_EQ(file.substr(16, 8), "\xf0\xde\xbc\x9a\x78\x56\x34\x12");
     EXPECT_EQ(file.substr(40, 12), std::string("\7\0\0\0\5\0\0\0\3\0\0\0", 12));
     EXPECT_EQ(file[56], 2);
-    EXPECT_EQ(file.substr(80, 8), std::string(8, '\0'));
+    const auto float_at = [&](std::size_t at) {
+        float number = 0.0F;
+        std::memcpy(&number, file.data() + at, sizeof number);
+        return number;
+    };
+    EXPECT_EQ(float_at(64), 0.05F);
+    EXPECT_EQ(float_at(92 + 24), 0.006F);
+    EXPECT_EQ(float_at(120), 0.081F);
+    EXPECT_EQ(file.substr(144, 8), std::string(8, '\0'));
 }
 
 TEST_F(TeaCacheTest, EveryTruncationIsNoticed) {
@@ -117,9 +130,9 @@ TEST_F(TeaCacheTest, SaysWhatAFileIsInstead) {
                 HasSubstr("a.tea: belongs to another scene."));
     EXPECT_FALSE(is_whole_tea_frame(folder / "a.tea", 1));
     EXPECT_FALSE(is_whole_tea_frame(folder / "c.tea", kScene));
-    file[8] = 3;
+    file[8] = 4;
     EXPECT_THAT(complaint(file),
-                HasSubstr("b.tea: is of version 3, this program reads versions 1 to 2."));
+                HasSubstr("b.tea: is of version 4, this program reads versions 1 to 3."));
 }
 
 TEST_F(TeaCacheTest, WhatIsNotFiniteIsRefused) {
@@ -132,6 +145,24 @@ TEST_F(TeaCacheTest, WhatIsNotFiniteIsRefused) {
     frame = frame_of(5, {3, 3, 3, 0.01F}, false);
     frame.dissolved.at(1, 1, 1) = std::numeric_limits<float>::infinity();
     EXPECT_THAT(complaint(written(frame)), HasSubstr("holds a value of a cell that is not finite"));
+}
+
+TEST_F(TeaCacheTest, StreamsThatNoneCouldBeAreRefused) {
+    const TeaFrame sound = frame_of(2, {3, 3, 3, 0.01F}, false);
+    const auto refuses = [&](std::size_t at, float value) {
+        std::string file = written(sound);
+        std::memcpy(file.data() + at, &value, sizeof value);
+        core::Hash64 hash;
+        hash.add(std::span<const char>(file.data(), kHeadBytes - 8));
+        hash.add(std::span<const char>(file.data() + kHeadBytes, file.size() - kHeadBytes));
+        const std::uint64_t sum = hash.value();
+        std::memcpy(file.data() + kHeadBytes - 8, &sum, sizeof sum);
+        EXPECT_THAT(complaint(file), HasSubstr("holds sizes or times that no frame has.")) << at;
+    };
+    refuses(64 + 8, 0.05F);  // a lip below its stream
+    refuses(64 + 20, 0.0F);  // that does not flow
+    refuses(92 + 24, std::numeric_limits<float>::infinity());
+    refuses(120, -1.0F);
 }
 
 /// Of a run of version 0.1.0, 0.3 s long: 40 parcels, 8 cells along each side.
@@ -148,6 +179,9 @@ TEST_F(TeaCacheTest, FramesOfVersion1HaveRoundParcels) {
         EXPECT_NEAR(parcel.volume_m3, 26e-6F / 40.0F, 1e-8F);
         EXPECT_EQ(parcel.shape, liquid::ParcelShape());
     }
+    EXPECT_EQ(frame.pour, liquid::SeenPour());
+    const liquid::Cup cup;
+    EXPECT_EQ(liquid::cup_in(frame.pour, cup), cup);
 }
 
 TEST_F(TeaCacheTest, SmoothFieldsPackWell) {

@@ -62,8 +62,8 @@ TEST_F(TeaCheckpointTest, StatesComeBackToTheLastBit) {
 
 TEST_F(TeaCheckpointTest, TheHeadIsAsDocumented) {
     const TeaState state = state_after(12);
-    const std::string head = written(state).substr(0, 240);
-    EXPECT_EQ(head.substr(0, 16), std::string("TeaState\2\0\0\0\1\0\0\0", 16));
+    const std::string head = written(state).substr(0, 264);
+    EXPECT_EQ(head.substr(0, 16), std::string("TeaState\3\0\0\0\1\0\0\0", 16));
     EXPECT_EQ(head.substr(16, 8), "\xf0\xde\xbc\x9a\x78\x56\x34\x12");
     EXPECT_EQ(head[24], 12);
     EXPECT_EQ(head.substr(32, 12), std::string("\xc\0\0\0\xc\0\0\0\xc\0\0\0", 12));
@@ -77,8 +77,8 @@ TEST_F(TeaCheckpointTest, TheHeadIsAsDocumented) {
     EXPECT_EQ(number_at(128), state.jug.places);
     std::uint64_t parts = 0;
     for (std::size_t part = 0; part < 12; ++part)
-        parts += number_at(136 + 8 * part);
-    EXPECT_EQ(240 + parts, std::filesystem::file_size(file()));
+        parts += number_at(160 + 8 * part);
+    EXPECT_EQ(264 + parts, std::filesystem::file_size(file()));
 }
 
 /// Of the run that tea_cache_test.cpp has a frame of.
@@ -102,12 +102,12 @@ TEST_F(TeaCheckpointTest, OnesOfVersion1GoOnWithRoundParcels) {
 
 TEST_F(TeaCheckpointTest, EveryDamageIsNoticed) {
     const std::string whole = written(state_after(3));
-    for (std::size_t at = 0; at < whole.size(); at += at < 240 ? 1 : 97) {
+    for (std::size_t at = 0; at < whole.size(); at += at < 264 ? 1 : 97) {
         std::string damaged = whole;
         damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
         EXPECT_THAT(complaint(damaged), HasSubstr("checkpoint.tea: is ")) << at;
     }
-    for (std::size_t size = 0; size < whole.size(); size += size < 240 ? 9 : 997)
+    for (std::size_t size = 0; size < whole.size(); size += size < 264 ? 9 : 997)
         EXPECT_THAT(complaint(whole.substr(0, size)), HasSubstr("checkpoint.tea: is ")) << size;
 }
 

@@ -118,5 +118,45 @@ TEST(TankSurfaces, ALiquidThatReachesIntoTheGlassIsGlassThere) {
     EXPECT_EQ(indices, (std::vector<float>{1.5F, 1.5F, 1.335F, 1.5F, 1.5F, 1.0F}));
 }
 
+/// From all sides, above and below, rays end on the dented level, and its normal is that of its height.
+TEST(CupSurfaces, RaysMeetTheLevelInItsDents) {
+    const liquid::Cup cup;
+    const LevelDent deep{{0.045F, 0.055F}, 0.0015F, 0.006F}, shallow{{0.06F, 0.05F}, 0.0006F, 0.004F};
+    const CupSurfaces surfaces(cup, {deep, shallow});
+    const auto height_m = [&](const glm::vec2& place_m) {
+        float height = cup.level_m;
+        for (const LevelDent& dent : {deep, shallow}) {
+            const glm::vec2 from = (place_m - dent.at_m) / dent.radius_m;
+            height -= dent.depth_m * std::exp(-glm::dot(from, from));
+        }
+        return height;
+    };
+    int met = 0;
+    for (std::uint32_t i = 0; i < 4000; ++i) {
+        const glm::vec3 way = random_direction(i);
+        if (std::abs(way.z) < 0.2F) continue;  // all but level, where a dent is met twice
+        const glm::vec2 aside = 0.01F * glm::vec2(random_direction(i + 9000));
+        const Ray ray{glm::vec3(deep.at_m + aside, cup.level_m) - 0.01F * way, way};
+        const unsigned here = way.z < 0.0F ? kAir : kLiquid;
+        SurfaceHit hit;
+        surfaces.meet(ray, here, hit);
+        if (hit.kind != SurfaceKind::Clear || hit.normal.z < 0.5F) continue;
+        const glm::vec3 at = ray.origin + ray.direction * hit.distance;
+        if (at.z < cup.level_m - 0.0025F) continue;  // the floor
+        ++met;
+        EXPECT_NEAR(at.z, height_m(glm::vec2(at)), 2e-6F);
+        const float step_m = 1e-4F;
+        const glm::vec2 x(step_m, 0.0F), y(0.0F, step_m), place(at);
+        const glm::vec2 slope(height_m(place + x) - height_m(place - x),
+                              height_m(place + y) - height_m(place - y));
+        EXPECT_GT(glm::dot(hit.normal, glm::normalize(glm::vec3(-slope / (2.0F * step_m), 1.0F))),
+                  0.999F);
+        EXPECT_EQ(hit.beyond(here, way), way.z < 0.0F ? kLiquid : kAir);
+    }
+    EXPECT_GT(met, 3000);
+    // What is said to be free of surfaces is.
+    EXPECT_LE(surfaces.clearance_m({deep.at_m, cup.level_m - 0.004F}), 0.004F - deep.depth_m);
+}
+
 }  // namespace
 }  // namespace pastoso::trace

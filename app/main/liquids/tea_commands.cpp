@@ -149,8 +149,8 @@ GlassMode::MeshWriter TeaMode::mesh_writer() const {
     return [snapshot](const std::filesystem::path& file, const BackgroundExport::Stops& stops) {
         core::ThreadPool pool;
         liquid::MilkSurfaces surfaces(pool);
-        const liquid::MilkSurface milk = surfaces.make(snapshot->seen.parcels, snapshot->settings.cup,
-                                                       snapshot->seen.dissolved.shape());
+        const liquid::MilkSurface milk =
+            surfaces.make(snapshot->seen.parcels, snapshot->cup(), snapshot->seen.dissolved.shape());
         return liquid_files::export_mesh(file, milk.mesh, {}, [&stops](double) { return !stops(); });
     };
 }

@@ -117,19 +117,22 @@ void VesselFlow::advect_cells(std::span<grid::BoxField* const> fields, float dt_
                       parameters_.interpolation, pool);
     for (std::size_t f = 0; f < fields.size(); ++f) {
         std::swap(*fields[f], cells_[f]);
-        if (keep == KeepSum::No) continue;
-        const double sum = sum_over_cells(*fields[f], pool);
-        if (!(std::abs(sum) > 0.0) || !(sum * sums[f] > 0.0)) continue;
-        const float factor = static_cast<float>(sums[f] / sum);
-        for_slices(pool, 0, shape().nz, [&](int k) {
-            for (int j = 0; j < shape().ny; ++j) {
-                const RowRange range = walls_.rows(Location::Cell).at(j, k);
-                float* values = fields[f]->row(j, k);
-                for (int i = range.begin; i < range.end; ++i)
-                    values[i] *= factor;
-            }
-        });
+        if (keep == KeepSum::Yes) scale_to_sum(*fields[f], sums[f], pool);
     }
+}
+
+void VesselFlow::scale_to_sum(grid::BoxField& field, double sum, core::ThreadPool& pool) const {
+    const double before = sum_over_cells(field, pool);
+    if (!(std::abs(before) > 0.0) || !(before * sum > 0.0)) return;
+    const float factor = static_cast<float>(sum / before);
+    for_slices(pool, 0, shape().nz, [&](int k) {
+        for (int j = 0; j < shape().ny; ++j) {
+            const RowRange range = walls_.rows(Location::Cell).at(j, k);
+            float* values = field.row(j, k);
+            for (int i = range.begin; i < range.end; ++i)
+                values[i] *= factor;
+        }
+    });
 }
 
 void VesselFlow::carry(std::span<glm::vec3> points_m, float dt_s, core::ThreadPool& pool) const {

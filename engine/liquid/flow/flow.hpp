@@ -97,6 +97,8 @@ class VesselFlow {
 
     /// The sum of a field's values over open cells, the same on any number of threads.
     double sum_over_cells(const grid::BoxField& field, core::ThreadPool& pool) const;
+    /// Makes that sum another, by a factor; a field that has none of that sign stays as it is.
+    void scale_to_sum(grid::BoxField& field, double sum, core::ThreadPool& pool) const;
 
   private:
     void follow(core::ThreadPool& pool);

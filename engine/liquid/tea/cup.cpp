@@ -39,4 +39,17 @@ double tea_volume_m3(const Cup& cup) {
            (low * low + low * high + high * high);
 }
 
+/// By Newton's method from the cup's level: a cone's volume is smooth, and its areas are its slope.
+float level_at_volume_m(const Cup& cup, double volume_m3) {
+    constexpr int kRounds = 8;
+    Cup filled = cup;
+    for (int round = 0; round < kRounds; ++round) {
+        const double radius_m = filled.inner_radius_m(filled.level_m);
+        const double missing_m3 = volume_m3 - tea_volume_m3(filled);
+        const double rise_m = missing_m3 / (std::numbers::pi * radius_m * radius_m);
+        filled.level_m = std::max(static_cast<float>(filled.level_m + rise_m), cup.floor_m);
+    }
+    return filled.level_m;
+}
+
 }  // namespace pastoso::liquid

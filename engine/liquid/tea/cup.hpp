@@ -20,6 +20,12 @@ struct Cup {
     friend bool operator==(const Cup&, const Cup&) = default;
 };
 
+/// The cup, filled up to another level.
+inline Cup filled_to(Cup cup, float level_m) {
+    cup.level_m = level_m;
+    return cup;
+}
+
 /// The signed distance from the surface of the tea at rest, up to the level, negative within; beyond its
 /// edges a lower bound of the distance.
 float tea_distance_m(const Cup& cup, const glm::vec3& point_m);
@@ -44,5 +50,7 @@ inline glm::vec3 brought_within(const Cup& cup, const glm::vec3& point_m, float 
 
 /// The volume of tea and milk up to the level: a frustum of a cone.
 double tea_volume_m3(const Cup& cup);
+/// The level up to which a volume (>= 0) fills the cup.
+float level_at_volume_m(const Cup& cup, double volume_m3);
 
 }  // namespace pastoso::liquid

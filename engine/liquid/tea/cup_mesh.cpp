@@ -1,10 +1,9 @@
 #include "liquid/tea/cup_mesh.hpp"
 
 #include "core/check.hpp"
+#include "liquid/surface/turned_mesh.hpp"
 
-#include <cmath>
-#include <cstdint>
-#include <numbers>
+#include <array>
 
 #include <glm/geometric.hpp>
 
@@ -16,28 +15,13 @@ struct Point {
     float radius_m, z_m;
 };
 
-/// Adds what a straight piece of the profile sweeps over. Going from `from` to `to`, its outside lies on
-/// the right hand, where the radius points to the right and z up.
+/// Adds what a straight piece of the profile sweeps over (turned_mesh.hpp).
 void sweep(const Cup& cup, const Point& from, const Point& to, int segments, TriangleMesh& mesh) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions_m.size());
     const glm::vec2 along = glm::normalize(glm::vec2(to.radius_m - from.radius_m, to.z_m - from.z_m));
-    for (int s = 0; s < segments; ++s) {
-        const double angle = 2.0 * std::numbers::pi * s / segments;
-        const auto cosine = static_cast<float>(std::cos(angle)),
-                   sine = static_cast<float>(std::sin(angle));
-        for (const Point& point : {from, to}) {
-            mesh.positions_m.push_back({cup.axis_m.x + point.radius_m * cosine,
-                                        cup.axis_m.y + point.radius_m * sine, point.z_m});
-            mesh.normals.push_back({along.y * cosine, along.y * sine, -along.x});
-        }
-    }
-    for (int s = 0; s < segments; ++s) {
-        const std::uint32_t low = first + 2 * static_cast<std::uint32_t>(s);
-        const std::uint32_t next = first + 2 * static_cast<std::uint32_t>((s + 1) % segments);
-        // At the axis one of the two has no area.
-        if (from.radius_m > 0.0F) mesh.triangles.push_back({low, next, low + 1});
-        if (to.radius_m > 0.0F) mesh.triangles.push_back({low + 1, next, next + 1});
-    }
+    const glm::vec2 normal(along.y, -along.x);
+    const std::array<TurnedPoint, 2> profile = {
+        {{from.radius_m, from.z_m, normal}, {to.radius_m, to.z_m, normal}}};
+    add_turned(cup.axis_m, profile, segments, mesh);
 }
 
 }  // namespace

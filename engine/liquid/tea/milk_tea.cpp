@@ -19,6 +19,10 @@ namespace {
 constexpr float kMostMilk = 1.2F;
 /// A parcel that is left with less of its milk gives away the rest.
 constexpr float kLeastParcel = 0.004F;
+/// A stream comes no farther at a time: what it meets has to keep up with it.
+constexpr double kStreamWay_cells = 6.0;
+/// The flow's top is moved in steps of so much of a cell.
+constexpr float kLidSteps_per_cell = 4.0F;
 
 grid::BoxShape box_of(const TeaSettings& settings) {
     check_tea(settings);
@@ -44,6 +48,11 @@ float share_passed(double dt_s, double time_s) {
     return static_cast<float>(1.0 - core::exponential(-dt_s / time_s));
 }
 
+float lid_m(const Cup& cup, const grid::BoxShape& shape) {
+    const float step_m = shape.cell_m / kLidSteps_per_cell;
+    return step_m * std::round(cup.level_m / step_m);
+}
+
 bool is_worse(const SolveResult& a, const SolveResult& b) {
     return a.residual > b.residual;
 }
@@ -51,14 +60,17 @@ bool is_worse(const SolveResult& a, const SolveResult& b) {
 }  // namespace
 
 MilkTea::MilkTea(const TeaSettings& settings)
-    : settings_(settings),
-      flow_(box_of(settings), distance_in(settings.cup), flow_of(settings)),
-      dissolved_(flow_.shape()),
-      coldness_(flow_.shape()),
+    : settings_((check_tea(settings), settings)),
+      jug_(settings),
+      lid_m_(lid_m(cup(), box_of(settings))),
+      flow_(std::in_place, box_of(settings), distance_in(filled_to(settings.cup, lid_m_)),
+            flow_of(settings)),
+      dissolved_(flow_->shape()),
+      coldness_(flow_->shape()),
       balls_(settings),
-      parcel_milk_(flow_.shape()),
-      parcel_coldness_(flow_.shape()),
-      sorter_(flow_.shape()) {}
+      parcel_milk_(flow_->shape()),
+      parcel_coldness_(flow_->shape()),
+      sorter_(flow_->shape()) {}
 
 void MilkTea::set_settings(const TeaSettings& settings) {
     check_tea(settings);
@@ -70,34 +82,52 @@ void MilkTea::set_settings(const TeaSettings& settings) {
             "Cup, box, cells, time step, seed and the recipe's milk cannot change while the tea runs.");
     }
     settings_ = settings;
-    flow_.set_parameters(flow_of(settings));
+    flow_->set_parameters(flow_of(settings));
+}
+
+int MilkTea::parts_of_step() const {
+    const double way_m = settings_.step_s * jug_.arriving_speed_m_s(settings_, settings_.step_s);
+    const double most_m = kStreamWay_cells * static_cast<double>(flow_->shape().cell_m);
+    return std::max(1, static_cast<int>(std::ceil(way_m / most_m)));
 }
 
 TeaStep MilkTea::step(core::ThreadPool& pool, MeasureDivergence measure) {
-    const auto dt_s = static_cast<float>(settings_.step_s);
-    pour();
-    add_buoyancy(pool);
-    add_painters_force(settings_, flow_.velocity(), pool);
-    flow_.confine_vorticity(dt_s, pool);
-    TeaStep result;
-    result.diffusion = diffuse(pool);
-    result.pressure = flow_.project(pool);
-    if (measure == MeasureDivergence::Yes)
-        result.divergence_per_s = largest_divergence(flow_.walls(), flow_.velocity(), pool);
-    carry(pool);
-    const SolveResult between = flow_.advect_velocity(dt_s, pool);
-    if (is_worse(between, result.pressure)) result.pressure = between;
-    exchange(pool);
+    balls_.nucleate(time_s(), settings_, parcels_);
+    TeaStep worst;
+    const int parts = parts_of_step();
+    for (int part = 0; part < parts; ++part)
+        advance(settings_.step_s / parts, measure, pool, worst);
     ++steps_;
-    return result;
+    return worst;
+}
+
+void MilkTea::advance(double dt_s, MeasureDivergence measure, core::ThreadPool& pool, TeaStep& worst) {
+    const auto dt = static_cast<float>(dt_s);
+    const auto room = static_cast<std::size_t>(kMaxParcels) - parcels_.size();
+    jug_.pour(settings_, dt_s, room, poured_, flow_->velocity());
+    raise_level(pool);
+    add_buoyancy(dt, pool);
+    add_painters_force(settings_, dt, flow_->velocity(), pool);
+    flow_->confine_vorticity(dt, pool);
+    const auto note = [](const SolveResult& result, SolveResult& noted) {
+        if (is_worse(result, noted)) noted = result;
+    };
+    note(diffuse(dt, pool), worst.diffusion);
+    note(flow_->project(pool), worst.pressure);
+    if (measure == MeasureDivergence::Yes)
+        worst.divergence_per_s = std::max(worst.divergence_per_s,
+                                          largest_divergence(flow_->walls(), flow_->velocity(), pool));
+    carry(dt, pool);
+    note(flow_->advect_velocity(dt, pool), worst.pressure);
+    exchange(dt_s, pool);
 }
 
 TeaFrame MilkTea::frame() const {
-    return {time_s(), steps_, parcels_, dissolved_, coldness_};
+    return {time_s(), steps_, parcels_, dissolved_, coldness_, pour()};
 }
 
 double MilkTea::milk_m3(core::ThreadPool& pool) const {
-    double sum = flow_.sum_over_cells(dissolved_, pool) * flow_.shape().cell_volume_m3();
+    double sum = flow_->sum_over_cells(dissolved_, pool) * flow_->shape().cell_volume_m3();
     for (const Parcel& parcel : parcels_)
         sum += static_cast<double>(parcel.volume_m3);
     return sum;
@@ -108,24 +138,40 @@ void MilkTea::clear_parcel_fields() {
         std::ranges::fill(field->values(), 0.0F);
 }
 
-void MilkTea::pour() {
-    const std::size_t before = parcels_.size();
-    jug_.pour(settings_, parcels_, flow_.velocity());
-    share_out(std::span(parcels_).subspan(before), flow_.walls().open_cells(), shared_fields(),
-              [per_m3 = cells_per_m3()](const Parcel& parcel) { return undissolved(parcel, per_m3); });
+/// The flow up to the level as it stands, at rest.
+void MilkTea::fill_flow() {
+    const grid::BoxShape shape = box_of(settings_);
+    lid_m_ = lid_m(cup(), shape);
+    flow_.emplace(shape, distance_in(filled_to(settings_.cup, lid_m_)), flow_of(settings_));
+}
+
+/// Where the level rises, there is what was below it; of milk and cold there is as much as before.
+void MilkTea::raise_level(core::ThreadPool& pool) {
+    if (lid_m(cup(), flow_->shape()) == lid_m_) return;
+    const std::array<grid::BoxField*, 2> fields = {&dissolved_, &coldness_};
+    std::array<double, 2> sums{};
+    for (const std::size_t f : {0, 1}) {
+        sums[f] = flow_->sum_over_cells(*fields[f], pool);
+        flow_->walls().extrapolate(*fields[f], Location::Cell, pool);
+    }
+    flow_->walls().extrapolate(flow_->velocity(), pool);
+    FlowState state = flow_->state();
+    fill_flow();
+    flow_->set_state(std::move(state));
+    for (const std::size_t f : {0, 1})
+        flow_->scale_to_sum(*fields[f], sums[f], pool);
 }
 
 /// See TeaSettings; on a face, the mean of the cells above and below.
-void MilkTea::add_buoyancy(core::ThreadPool& pool) {
-    const grid::BoxShape& shape = flow_.shape();
-    const auto dt_s = static_cast<float>(settings_.step_s);
+void MilkTea::add_buoyancy(float dt_s, core::ThreadPool& pool) {
+    const grid::BoxShape& shape = flow_->shape();
     const float fat = 0.5F * dt_s * static_cast<float>(settings_.fat_m_s2),
                 cold = dt_s * static_cast<float>(settings_.cold_m_s2),
                 heavy = 0.5F * dt_s * static_cast<float>(settings_.dissolved_m_s2);
-    grid::BoxField& rise = flow_.velocity().z;
+    grid::BoxField& rise = flow_->velocity().z;
     for_slices(pool, 1, shape.nz, [&](int k) {
         for (int j = 0; j < shape.ny; ++j) {
-            const RowRange range = flow_.walls().rows(Location::FaceZ).at(j, k);
+            const RowRange range = flow_->walls().rows(Location::FaceZ).at(j, k);
             float* w = rise.row(j, k);
             const float *milk = parcel_milk_.row(j, k), *milk_below = parcel_milk_.row(j, k - 1),
                         *chill = coldness_.row(j, k), *chill_below = coldness_.row(j, k - 1),
@@ -143,12 +189,11 @@ void MilkTea::add_buoyancy(core::ThreadPool& pool) {
     });
 }
 
-SolveResult MilkTea::diffuse(core::ThreadPool& pool) {
-    const auto dt_s = static_cast<float>(settings_.step_s);
-    SolveResult worst = flow_.diffuse_velocity(dt_s, pool);
+SolveResult MilkTea::diffuse(float dt_s, core::ThreadPool& pool) {
+    SolveResult worst = flow_->diffuse_velocity(dt_s, pool);
     const auto spread = [&](grid::BoxField& field, double diffusivity_m2_s) {
         const SolveResult result =
-            flow_.diffuse_cells(field, static_cast<float>(diffusivity_m2_s), dt_s, pool);
+            flow_->diffuse_cells(field, static_cast<float>(diffusivity_m2_s), dt_s, pool);
         if (is_worse(result, worst)) worst = result;
     };
     spread(coldness_, settings_.heat_diffusion_m2_s);
@@ -156,36 +201,35 @@ SolveResult MilkTea::diffuse(core::ThreadPool& pool) {
     return worst;
 }
 
-void MilkTea::carry(core::ThreadPool& pool) {
-    const auto dt_s = static_cast<float>(settings_.step_s);
+void MilkTea::carry(float dt_s, core::ThreadPool& pool) {
     const std::array<grid::BoxField*, 2> fields = {&dissolved_, &coldness_};
-    flow_.advect_cells(fields, dt_s, KeepSum::Yes, pool);
+    flow_->advect_cells(fields, dt_s, KeepSum::Yes, pool);
 
-    balls_.nucleate(time_s(), settings_, parcels_);
-    const float margin_m = kWallMargin_cells * flow_.shape().cell_m;
+    const Cup filled = cup();
+    const float margin_m = kWallMargin_cells * flow_->shape().cell_m;
     const ShapeLimits limits = shape_limits(settings_);
     for_parcel_blocks(pool, parcels_.size(), [&](std::size_t begin, std::size_t end) {
-        deform(std::span(parcels_).subspan(begin, end - begin), flow_.velocity(), dt_s, limits);
+        deform(std::span(parcels_).subspan(begin, end - begin), flow_->velocity(), dt_s, limits);
         std::array<glm::vec3, kParcelsAtOnce> places_m;
         for (std::size_t i = begin; i < end; ++i)
             places_m[i - begin] = parcels_[i].position_m;
-        flow_.carry(std::span(places_m).first(end - begin), dt_s);
+        flow_->carry(std::span(places_m).first(end - begin), dt_s);
         for (std::size_t i = begin; i < end; ++i)
-            parcels_[i].position_m = brought_within(settings_.cup, places_m[i - begin], margin_m);
+            parcels_[i].position_m = brought_within(filled, places_m[i - begin], margin_m);
     });
+    // They stand where they have come in this step, and are not carried on.
+    parcels_.insert(parcels_.end(), poured_.begin(), poured_.end());
     sorter_.sort(parcels_, pool);
 }
 
 /// Parcels give warmth and milk to the tea, and what is left of them is spread for the next step.
-void MilkTea::exchange(core::ThreadPool& pool) {
-    const double dt_s = settings_.step_s;
+void MilkTea::exchange(double dt_s, core::ThreadPool& pool) {
     const float warming_slowly = share_passed(dt_s, settings_.slow_warming_s),
                 warming_fast = share_passed(dt_s, settings_.fast_warming_s),
                 dissolving = share_passed(dt_s, settings_.dissolving_s),
                 dissolving_on_top = share_passed(dt_s, settings_.dissolving_on_top_s),
                 dissolving_at_rest = share_passed(dt_s, settings_.dissolving_at_rest_s);
-    const auto top_m =
-        static_cast<float>(static_cast<double>(settings_.cup.level_m) - settings_.top_depth_m);
+    const float top_m = cup().level_m - static_cast<float>(settings_.top_depth_m);
     const bool rests = time_s() < settings_.rest_ends_s;
     const auto share_dissolved = [&](const Parcel& parcel) {
         if (parcel.ball >= 0 && static_cast<double>(parcel.coldness) < settings_.warm_below)
@@ -198,7 +242,7 @@ void MilkTea::exchange(core::ThreadPool& pool) {
     const auto chill_share = static_cast<float>(settings_.chill_share);
     std::atomic<bool> any_gone = false;
     clear_parcel_fields();
-    share_out_sorted(parcels_, flow_.walls().open_cells(), shared_fields(), pool, [&](Parcel& parcel) {
+    share_out_sorted(parcels_, flow_->walls().open_cells(), shared_fields(), pool, [&](Parcel& parcel) {
         const float warmed = parcel.coldness * (parcel.ball >= 0 ? warming_fast : warming_slowly);
         const float chill = chill_share * parcel.volume_m3 * per_m3 * warmed;
         parcel.coldness -= warmed;

@@ -2,10 +2,11 @@
 // bursts under the surface, spreads and dissolves.
 //
 // Milk is either in parcels, which the tea carries along, or dissolved, a share c of each cell. Both
-// together are what has been poured, to rounding. One step of time dt:
-//     pour; u += dt (buoyancy + the painter's force); viscosity, diffusion; make u free of divergence;
-//     carry c, the tea's coldness T and the parcels, drawn out, along u; balls; carry u along u;
-//     parcels warm (giving a share of their cold to T) and dissolve (giving volume to c).
+// together are what has been poured, to rounding, and lift the level. One step of time dt, in parts
+// while milk falls in fast:
+//     pour; raise the level; u += dt (buoyancy + the painter's force); viscosity, diffusion; make u free
+//     of divergence; carry c, the tea's coldness T and the parcels, drawn out, along u; balls; carry u
+//     along u; parcels warm (giving a share of their cold to T) and dissolve (giving volume to c).
 #pragma once
 
 #include "liquid/flow/flow.hpp"
@@ -46,7 +47,10 @@ class MilkTea {
     const std::vector<Parcel>& parcels() const { return parcels_; }
     const grid::BoxField& dissolved() const { return dissolved_; }  ///< share of milk in open cells
     const grid::BoxField& coldness() const { return coldness_; }    ///< of the tea, 0 warm, 1 as milk
-    const VesselFlow& flow() const { return flow_; }
+    const VesselFlow& flow() const { return *flow_; }
+    /// Filled up to the level as it stands.
+    Cup cup() const { return filled_to(settings_.cup, level_m(settings_, jug_.poured_m3())); }
+    SeenPour pour() const { return jug_.seen(settings_); }
     int ball_count() const { return balls_.count(); }
     TeaFrame frame() const;
 
@@ -66,31 +70,35 @@ class MilkTea {
     double milk_m3(core::ThreadPool& pool) const;
 
     /// The painter pours more milk at a place, as fast as the recipe pours its own, until told nullopt.
-    /// A place outside the cup is taken to the wall. None is poured once the tea is half milk or there
-    /// are kMaxParcels.
-    void pour_by_hand(std::optional<glm::vec2> at_m) { jug_.pour_by_hand(at_m); }
+    /// A place outside the cup is taken to the wall. None is poured once the glass is full, the tea half
+    /// milk, or there are kMaxParcels.
+    void pour_by_hand(std::optional<glm::vec2> at_m) { jug_.pour_by_hand(at_m, settings_.cup); }
 
   private:
-    void pour();
-    void add_buoyancy(core::ThreadPool& pool);
-    SolveResult diffuse(core::ThreadPool& pool);
-    void carry(core::ThreadPool& pool);
-    void exchange(core::ThreadPool& pool);
+    int parts_of_step() const;
+    void advance(double dt_s, MeasureDivergence measure, core::ThreadPool& pool, TeaStep& worst);
+    void fill_flow();
+    void raise_level(core::ThreadPool& pool);
+    void add_buoyancy(float dt_s, core::ThreadPool& pool);
+    SolveResult diffuse(float dt_s, core::ThreadPool& pool);
+    void carry(float dt_s, core::ThreadPool& pool);
+    void exchange(double dt_s, core::ThreadPool& pool);
     SharedFields shared_fields() { return {&coldness_, &dissolved_, &parcel_milk_, &parcel_coldness_}; }
     /// What a parcel spreads, of a cell's volume.
     static SharedAmounts undissolved(const Parcel& parcel, float per_m3) {
         const float milk = parcel.volume_m3 * per_m3;
         return {0.0F, 0.0F, milk, milk * parcel.coldness};
     }
-    float cells_per_m3() const { return static_cast<float>(1.0 / flow_.shape().cell_volume_m3()); }
+    float cells_per_m3() const { return static_cast<float>(1.0 / flow_->shape().cell_volume_m3()); }
     void clear_parcel_fields();
 
     TeaSettings settings_;
-    VesselFlow flow_;
-    grid::BoxField dissolved_, coldness_;
-    std::vector<Parcel> parcels_;
-    MilkBalls balls_;
     MilkJug jug_;
+    float lid_m_ = 0.0F;              ///< how high the flow reaches: the level, rounded
+    std::optional<VesselFlow> flow_;  ///< never empty
+    grid::BoxField dissolved_, coldness_;
+    std::vector<Parcel> parcels_, poured_;  ///< all, and those of a step
+    MilkBalls balls_;
     int steps_ = 0;
 
     /// The milk and the coldness of parcels, as shares of the cells around them.

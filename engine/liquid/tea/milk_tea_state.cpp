@@ -30,7 +30,10 @@ void check_parcels(const TeaState& state, double box_m) {
 
 void check_stream(const MilkJug::Stream& stream) {
     core::check_range("The stream's time", stream.seconds, 0.0, kLongest_s);
+    core::check_range("The stream's end", stream.until_s, 0.0, kLongest_s);
     core::check_range("The stream's parcels", stream.parcels, 0, kMostSteps);
+    for (const int axis : {0, 1})
+        core::check_range("The stream's place", static_cast<double>(stream.at_m[axis]), -1e3, 1e3);
 }
 
 void check_numbers(const TeaState& state) {
@@ -41,35 +44,33 @@ void check_numbers(const TeaState& state) {
     core::check_range("The milk that was poured", state.jug.poured_m3, 0.0, 1.0);
     check_stream(state.jug.recipe);
     check_stream(state.jug.hand);
-    if (state.jug.hand_m)
-        for (const int axis : {0, 1})
-            core::check_range("The hand's place", static_cast<double>((*state.jug.hand_m)[axis]), -1e3,
-                              1e3);
 }
 
 }  // namespace
 
 TeaState MilkTea::state() const {
-    return {steps_, parcels_, dissolved_, coldness_, flow_.state(), balls_.state(), jug_.state()};
+    return {steps_, parcels_, dissolved_, coldness_, flow_->state(), balls_.state(), jug_.state()};
 }
 
 void MilkTea::set_state(TeaState state) {
     check_numbers(state);
     check_parcels(state, settings_.box_m);
-    if (state.dissolved.shape() != flow_.shape() || state.coldness.shape() != flow_.shape())
+    if (state.dissolved.shape() != flow_->shape() || state.coldness.shape() != flow_->shape())
         throw core::InputError("The state is that of another box of cells.");
-    flow_.set_state(std::move(state.flow));
+    flow_->set_state(state.flow);  // which throws before anything has changed
+    jug_.set_state(state.jug, settings_);
+    fill_flow();
+    flow_->set_state(std::move(state.flow));
     steps_ = state.step;
     parcels_ = std::move(state.parcels);
     dissolved_ = std::move(state.dissolved);
     coldness_ = std::move(state.coldness);
     balls_.set_state(state.balls);
-    jug_.set_state(state.jug);
     core::ThreadPool this_thread(1);
     sorter_.sort(parcels_, this_thread);
     clear_parcel_fields();
     share_out_sorted(
-        parcels_, flow_.walls().open_cells(), shared_fields(), this_thread,
+        parcels_, flow_->walls().open_cells(), shared_fields(), this_thread,
         [per_m3 = cells_per_m3()](const Parcel& parcel) { return undissolved(parcel, per_m3); });
 }
 

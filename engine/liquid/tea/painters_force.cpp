@@ -33,10 +33,10 @@ std::vector<Fading> fading(int cells, float cell_m, double axis_m, double reach_
 
 }  // namespace
 
-void add_painters_force(const TeaSettings& settings, VelocityField& velocity, core::ThreadPool& pool) {
+void add_painters_force(const TeaSettings& settings, float dt_s, VelocityField& velocity,
+                        core::ThreadPool& pool) {
     if (settings.swirl_rad_s2 == 0.0 && settings.push_m_s2 == 0.0) return;
     const grid::BoxShape& shape = velocity.shape();
-    const auto dt_s = static_cast<float>(settings.step_s);
     const float swirl = dt_s * static_cast<float>(settings.swirl_rad_s2),
                 push = dt_s * static_cast<float>(settings.push_m_s2);
     const std::vector<Fading> x =

@@ -7,10 +7,11 @@
 
 namespace pastoso::liquid {
 
-/// Adds over the step dt of the settings an acceleration
+/// Adds over `dt_s` an acceleration
 ///     (swirl e_z x r - push e_z) exp(-r^2 / (2 reach^2)),   r from the axis.
 /// It has to fade: the pressure of a closed vessel takes up all that is alike everywhere, so that a push
 /// would do nothing, and a swirl the same wherever its axis stands.
-void add_painters_force(const TeaSettings& settings, VelocityField& velocity, core::ThreadPool& pool);
+void add_painters_force(const TeaSettings& settings, float dt_s, VelocityField& velocity,
+                        core::ThreadPool& pool);
 
 }  // namespace pastoso::liquid

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "grid/box_field.hpp"
+#include "liquid/tea/milk_stream.hpp"
 #include "liquid/tea/parcel.hpp"
 
 #include <vector>
@@ -14,6 +15,7 @@ struct TeaFrame {
     std::vector<Parcel> parcels;
     grid::BoxField dissolved;  ///< milk that has dissolved, share of the volume, at the middles of cells
     grid::BoxField coldness;   ///< of the same shape, or empty: not kept
+    SeenPour pour;
 };
 
 }  // namespace pastoso::liquid

@@ -14,7 +14,7 @@ namespace pastoso::liquid {
 /// c, where m is the share of milk in a cell, T its coldness and c the share of dissolved milk. Heat
 /// passes faster than milk, so that a ball that has warmed rises before it dissolves (double diffusion).
 struct TeaSettings {
-    Cup cup;
+    Cup cup;              ///< its level as it is when the recipe's milk has been poured
     int cells = 64;       ///< along each side of the box
     int parcels = 400'000;  ///< of milk
     std::uint32_t seed = 7;
@@ -26,8 +26,9 @@ struct TeaSettings {
 
     double milk_m3 = 26e-6;
     double pour_s = 1.6;           ///< duration
-    double pour_radius_m = 0.006;  ///< of the stream
-    double pour_speed_m_s = 0.16;  ///< downwards
+    double pour_radius_m = 0.006;  ///< of the stream at the lip of the jug
+    double pour_speed_m_s = 0.16;  ///< of the stream there, downwards
+    double pour_height_m = 0.005;  ///< of the lip above the level
 
     double fat_m_s2 = 0.30;
     double cold_m_s2 = 0.62;
