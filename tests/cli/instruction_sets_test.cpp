@@ -59,9 +59,10 @@ TEST_F(CliInstructionSets, GiveTheSameTanksAndPicturesOfThem) {
 }
 
 TEST_F(CliInstructionSets, GiveTheSameTeaAndPicturesOfIt) {
-    expect_the_same(
-        {"tea", "--grid", "16", "--seconds", "0.6", "--every", "6", "--size", "72x54", "--samples", "4"},
-        "png");
+    // One picture: photons cost more than all the rest, and it has the milk of every frame before it.
+    expect_the_same({"tea", "--grid", "16", "--seconds", "0.6", "--every", "18", "--size", "72x54",
+                     "--samples", "4"},
+                    "png");
     expect_the_same({"tea", "--grid", "16", "--seconds", "0.6", "--every", "6"}, "stl");
     expect_the_same({"tea", "--classic", "--seconds", "0.6", "--every", "6"}, "stl");
     expect_the_same({"tea", "--classic", "--grid", "16", "--seconds", "0.6", "--every", "6"}, "stl");

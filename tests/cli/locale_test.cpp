@@ -46,7 +46,7 @@ class CliLocale : public CliTest {
             run({"export", "-q", in("a.pastoso"), "-o", in(file)});
         run({"info", in("a.pastoso")});
         run({"info", "closest", "#7a5c3e"});
-        EXPECT_EQ(run_cli({"simulate", "glaze", "-q", "--seconds", "0.5", "-o", in("glaze")}).status, 0);
+        EXPECT_EQ(run_cli({"simulate", "glaze", "-q", "--seconds", "0.1", "-o", in("glaze")}).status, 0);
         return said;
     }
 };
