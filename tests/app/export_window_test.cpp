@@ -469,7 +469,7 @@ TEST_F(ExportWindow, ClosingMayWaitForTheExport) {
     parts().files.save_painting(QString::fromStdString(path("a.pastoso").string()));
     ASSERT_EQ(parts().files.saver().wait(), "");
     tools::ExportSettings settings;
-    settings.scale = 16.0;
+    settings.scale = 8.0;
     parts().exporting.start(settings, path("a.png"));
     answer_box("Close when it is done");
     EXPECT_FALSE(window().close());
@@ -477,7 +477,7 @@ TEST_F(ExportWindow, ClosingMayWaitForTheExport) {
     EXPECT_TRUE(window().isVisible());
     EXPECT_EQ(told(), "The window closes as soon as a.png is written.");
     wait_for([this] { return !window().isVisible(); });
-    EXPECT_EQ(files::read_grey_image(path("a.png")).width, 16 * 240);
+    EXPECT_EQ(files::read_grey_image(path("a.png")).width, 8 * 240);
 }
 
 TEST_F(ExportWindow, ClosingMayStopTheExportOrBeGivenUp) {

@@ -11,8 +11,8 @@ using studio::oil;
 
 /// A flat brush that goes along the middle of a small canvas.
 struct Easel {
-    film::FilmState film = studio::smooth(60.0, 30.0);
-    grid::Rect middle = studio::cells_of(film, 25.0, 12.0, 35.0, 18.0);
+    film::FilmState film = studio::smooth(36.0, 30.0);
+    grid::Rect middle = studio::cells_of(film, 13.0, 12.0, 23.0, 18.0);
 
     /// White as it lies when nothing has been stirred.
     void lay_white(double thickness_mm) { studio::lay_over(film, thickness_mm, oil("PW6")); }
@@ -21,7 +21,7 @@ struct Easel {
         for (int pass = 0; pass < passes; ++pass) {
             const bool back = pass % 2 == 1;
             studio::paint(clean, film,
-                          studio::line(back ? 54.0 : 6.0, 15.0, back ? 6.0 : 54.0, 15.0, 0.4, 90.0));
+                          studio::line(back ? 30.0 : 6.0, 15.0, back ? 6.0 : 30.0, 15.0, 0.4, 90.0));
         }
     }
     Brush clean{studio::flat_preset(16.0), 16.0, 2};
@@ -53,7 +53,7 @@ TEST(StrataStroke, KeepsAllPaint) {
     brush.load(oil("PW6"), 1.0);
     Contents before = brush.contents();
     before += studio::contents(easel.film);
-    studio::paint(brush, easel.film, studio::line(6.0, 10.0, 54.0, 21.0, 0.5, 90.0));
+    studio::paint(brush, easel.film, studio::line(6.0, 10.0, 30.0, 21.0, 0.5, 90.0));
     Contents after = brush.contents();
     after += studio::contents(easel.film);
     EXPECT_LT(studio::balance_error(after, before), 1e-12);
@@ -74,7 +74,7 @@ TEST(StrataStroke, PaintOfOneColourStaysOne) {
     studio::cover(easel.film, 0.2, oil("PB29"));
     Brush brush(studio::flat_preset(16.0), 3);
     brush.load(oil("PB29"), 1.0);
-    studio::paint(brush, easel.film, studio::line(6.0, 10.0, 54.0, 21.0, 0.5, 90.0));
+    studio::paint(brush, easel.film, studio::line(6.0, 10.0, 30.0, 21.0, 0.5, 90.0));
     for (int y = 0; y < easel.film.shape.height; ++y)
         for (int x = 0; x < easel.film.shape.width; ++x)
             if (easel.film.lower.thickness.at(x, y) > 0)

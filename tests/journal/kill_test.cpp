@@ -178,7 +178,7 @@ TEST_F(Kill, WhatWasDoneIsSoonKeptAndComesBack) {
         const document::Recording past = start.empty() ? document::Recording{} : before->strokes;
         fs::remove(folder / kSavedName);
 
-        // Up to three seconds of painting, and any moment between two writes of the journal.
+        // Up to a second of painting, and any moment between two writes of the journal.
         const auto actions = static_cast<std::size_t>(1.0 + 600.0 * core::uniform_noise(seed, 77));
         const auto more = static_cast<std::size_t>(100.0 * core::uniform_noise(seed, 78));
         const Progress least = paint_and_kill(seed, start, past.events.size(), actions, more);

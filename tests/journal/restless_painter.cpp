@@ -20,8 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Many checkpoints in little time.
-constexpr journal::Pace kHurried = {.replay_s = 0.02, .idle_s = 0.2, .rests = 0.5};
+/// Many checkpoints in little time, by a painter as fast as a machine.
+constexpr journal::Pace kHurried = {.flush_s = 0.06, .replay_s = 0.005, .idle_s = 0.05, .rests = 0.5};
+constexpr std::chrono::milliseconds kBetweenActions{1};
 
 std::unique_ptr<session::PaintSession> started(const fs::path& folder, const fs::path& project) {
     auto pool = std::make_unique<core::ThreadPool>(2);
@@ -72,7 +73,7 @@ class Saver {
     for (int turn = 0;; ++turn) {
         for (const document::Action& action : painter.next()) {
             session->post(action);
-            std::this_thread::sleep_for(std::chrono::milliseconds(4));
+            std::this_thread::sleep_for(kBetweenActions);
             if (++done % 8 != 0) continue;
             session->wait_until_applied();
             progress << done << ' ' << session->recording().events.size() << ' '
