@@ -88,20 +88,33 @@ double half_width_mm(const StraightStroke& stroke) {
     return 0.5 * find_preset(stroke.preset).tip.width_mm;
 }
 
-/// Where a stroke is `along_mm` from its start and `across_mm` from its middle.
 struct Place {
     double x_mm, y_mm;
 };
-Place place_on(const StraightStroke& stroke, double along_mm, double across_mm) {
-    const double angle = core::radians(stroke.angle_deg), start_mm = half_width_mm(stroke) + kMargin_mm;
-    return {start_mm + along_mm * std::cos(angle) - across_mm * std::sin(angle),
-            start_mm + along_mm * std::sin(angle) + across_mm * std::cos(angle)};
-}
+
+/// The stroke's line on its canvas.
+class Line {
+  public:
+    explicit Line(const StraightStroke& stroke)
+        : along_x_(std::cos(core::radians(stroke.angle_deg))),
+          along_y_(std::sin(core::radians(stroke.angle_deg))),
+          start_mm_(half_width_mm(stroke) + kMargin_mm) {}
+
+    /// Where it is `along_mm` from its start and `across_mm` from its middle.
+    Place at(double along_mm, double across_mm) const {
+        return {start_mm_ + along_mm * along_x_ - across_mm * along_y_,
+                start_mm_ + along_mm * along_y_ + across_mm * along_x_};
+    }
+
+  private:
+    double along_x_, along_y_, start_mm_;
+};
 
 }  // namespace
 
 film::FilmState painted(const StraightStroke& stroke, double px_per_mm) {
-    const Place start = place_on(stroke, 0.0, 0.0), end = place_on(stroke, kLength_mm, 0.0);
+    const Line travel(stroke);
+    const Place start = travel.at(0.0, 0.0), end = travel.at(kLength_mm, 0.0);
     document::CanvasSettings canvas;
     canvas.width_mm = std::ceil(end.x_mm + start.x_mm + 2.0);
     canvas.height_mm = std::ceil(end.y_mm + start.y_mm + 2.0);
@@ -134,13 +147,19 @@ film::FilmState painted(const StraightStroke& stroke, double px_per_mm) {
 
 Slopes slopes_of(const film::FilmState& film, const StraightStroke& stroke, int block) {
     const Spline surface = surface_of(film, block);
+    const Line travel(stroke);
     const double per_mm = 1.0 / (film.cell_mm * block), inner_mm = kInnerShare * half_width_mm(stroke);
-    const auto height_mm = [&](int i, int j) {
-        const Place place = place_on(stroke, kFirst_mm + i * kSpacing_mm, j * kSpacing_mm - inner_mm);
-        return surface.at(place.x_mm * per_mm - 0.5, place.y_mm * per_mm - 0.5);
-    };
     const int length = static_cast<int>((kLast_mm - kFirst_mm) / kSpacing_mm);
     const int width = static_cast<int>(2.0 * inner_mm / kSpacing_mm);
+    std::vector<double> heights_mm;
+    for (int j = 0; j <= width; ++j)
+        for (int i = 0; i <= length; ++i) {
+            const Place place = travel.at(kFirst_mm + i * kSpacing_mm, j * kSpacing_mm - inner_mm);
+            heights_mm.push_back(surface.at(place.x_mm * per_mm - 0.5, place.y_mm * per_mm - 0.5));
+        }
+    const auto height_mm = [&](int i, int j) {
+        return heights_mm[static_cast<std::size_t>(j * (length + 1) + i)];
+    };
     double along = 0.0, across = 0.0;
     for (int j = 0; j < width; ++j)
         for (int i = 0; i < length; ++i) {

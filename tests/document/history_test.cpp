@@ -365,24 +365,28 @@ struct Walk {
     void step(std::uint32_t number) {
         const std::uint32_t choice = core::scramble(number) % 8;
         if (choice < 2 && history.can_undo()) {
-            redo.push_back(film.hash());
+            redo.push_back(now);
             film.return_to(history.step_back(film.moment()));
-            ASSERT_EQ(film.hash(), undo.back());
+            now = film.hash();
+            ASSERT_EQ(now, undo.back());
             undo.pop_back();
         } else if (choice == 2 && history.can_redo()) {
-            undo.push_back(film.hash());
+            undo.push_back(now);
             film.return_to(history.step_forward(film.moment()));
-            ASSERT_EQ(film.hash(), redo.back());
+            now = film.hash();
+            ASSERT_EQ(now, redo.back());
             redo.pop_back();
         } else {
-            undo.push_back(film.hash());
+            undo.push_back(now);
             redo.clear();
             change_and_remember(film, history, core::scramble(number + 7) % 16);
+            now = film.hash();
         }
     }
 
     Noisy film;
     History history;
+    std::uint64_t now = film.hash();
     std::vector<std::uint64_t> undo, redo;
 };
 
@@ -406,7 +410,7 @@ TYPED_TEST(RandomWalk, CanUndoTheSameWheneverStepsArePacked) {
         patient.step(i);
         patient.history.finish_packing();
         ASSERT_EQ(hurried.history.can_undo(), patient.history.can_undo());
-        ASSERT_EQ(hurried.film.hash(), patient.film.hash());
+        ASSERT_EQ(hurried.now, patient.now);
     }
     hurried.history.finish_packing();
     EXPECT_EQ(hurried.history.past_steps().size(), patient.history.past_steps().size());

@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Kept, SloshingTank,
 
 TEST_P(SloshingTank, KeepsItsVolumeOverAThousandSteps) {
     core::ThreadPool pool(2);
-    TankScene scene = dam(16, {0.5F, 1.0F, 0.5F});
+    TankScene scene = dam(12, {0.5F, 1.0F, 0.5F});
     scene.method = GetParam();
     LiquidTank tank(scene);
     const double before_m3 = tank.volume_m3(pool);
