@@ -386,6 +386,7 @@ TEST_F(TankWindow, LeavingTheTankEndsTheRecording) {
 /// Liquid takes more of the red than of the blue light; the table before it is pale.
 TEST_F(TankWindow, TheTankIsDrawn) {
     open_small_tank();
+    make_view_small();
     pause();
     wait_for([&] { return view().finished(); });
     const QImage picture = view().grabFramebuffer();
