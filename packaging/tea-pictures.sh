@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Draws the manual's pictures of milk tea into docs/manual/pictures/tea/: the usual glass at eight moments. What it
-# simulates is kept in out/tea/kept, so that a run that was stopped goes on. Takes some minutes.
+# Draws the manual's pictures of milk tea into docs/manual/pictures/tea/: the usual glass at eight moments, and a short
+# film where there is ffmpeg. What it simulates is kept in out/tea, so that a run that was stopped goes on. Takes some
+# minutes.
 #
 # Usage: packaging/tea-pictures.sh [--program FILE]
 #   --program FILE   a pastoso-cli that is built already; otherwise it is built first
@@ -16,6 +17,7 @@ esac
 
 readonly tenths=(8 18 50 90 140 240 320 450)  # of a second
 readonly fps=5
+readonly film_s=6 film_fps=15
 
 if [[ -z $program ]]; then
     "$root/packaging/install.sh" build
@@ -36,4 +38,11 @@ for tenth in "${tenths[@]}"; do
     "$program" tea render "$kept" --range $frame --frames "$drawn" --size 400x400 || fail "a picture is missing; see above."
     mv -- "$(printf '%s/milk_%04d.png' "$drawn" $frame)" "$pictures/$name"
 done
+if command -v ffmpeg > /dev/null; then
+    say "Drawing the film"
+    "$program" tea usual --seconds $film_s --fps $film_fps --frames "$root/out/tea/film" --size 240x240 --samples 32 ||
+        fail "a picture of the film is missing; see above."
+    ffmpeg -loglevel error -y -framerate $film_fps -i "$root/out/tea/film/milk_%04d.png" -c:v libwebp_anim -loop 0 -quality 70 \
+        "$pictures/pour.webp" || fail "ffmpeg could not make the film."
+fi
 say "$(du -sk "$pictures" | cut -f1) KiB of pictures stand in $pictures"

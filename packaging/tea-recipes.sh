@@ -15,7 +15,7 @@ case "${1-}" in
 esac
 
 # When each looks most like itself, in tenths of a second.
-declare -rA tenths=([usual]=30 [cold-brew]=60 [cream]=50 [drops]=45 [stirred]=70 [cloud]=32)
+declare -rA tenths=([usual]=30 [cold-brew]=60 [cream]=50 [drops]=45 [stirred]=70 [cloud]=12)
 
 if [[ -z $program ]]; then
     "$root/packaging/install.sh" build

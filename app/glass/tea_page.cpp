@@ -16,8 +16,10 @@ TeaPage::TeaPage(TeaView* view, TeaPanel* panel, const TeaActions& actions, QWid
       panel_(panel) {}
 
 void TeaPage::show_status(const session::TeaStatus& status) {
-    show_time(status, tr("%1 ml of milk").arg(1e6 * status.milk_m3, 0, 'f', 1), 1,
-              status.at_rest ? tr("Press on the tea to pour milk where you point") : QString());
+    QString hint;
+    if (status.at_rest) hint = tr("Press on the tea to pour milk where you point");
+    if (status.full && status.pouring) hint = tr("The glass is full");
+    show_time(status, tr("%1 ml of milk").arg(1e6 * status.milk_m3, 0, 'f', 1), 1, hint);
 }
 
 }  // namespace pastoso::glass

@@ -181,6 +181,7 @@ void TeaSession::give_moment() {
     if (made_ != nullptr) snapshot_ = std::exchange(made_, nullptr);
     seen_.pouring = hand_m_.has_value();
     seen_.recipe_flows = tea_ != nullptr && tea_->recipe_flows();
+    seen_.full = tea_ != nullptr && tea_->is_full();
     seen_.at_rest = tea_ != nullptr && waits();
     seen_.force = force_;
     seen_.milk_m3 = tea_ != nullptr ? tea_->poured_m3() : 0.0;

@@ -42,6 +42,7 @@ struct TeaForce {
 struct TeaStatus : LiquidStatus {
     bool pouring = false;       ///< by hand
     bool recipe_flows = false;  ///< its milk is poured
+    bool full = false;          ///< no more milk fits
     bool at_rest = false;       ///< clear tea: no time passes until something is done to it
     TeaForce force;
     double milk_m3 = 0.0;  ///< poured so far

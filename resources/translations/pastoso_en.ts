@@ -3874,6 +3874,10 @@
         <source>Press on the tea to pour milk where you point</source>
         <translation>Press on the tea to pour milk where you point</translation>
     </message>
+    <message>
+        <source>The glass is full</source>
+        <translation>The glass is full</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::TeaPanel</name>

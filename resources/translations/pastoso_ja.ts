@@ -3866,6 +3866,10 @@
         <source>Press on the tea to pour milk where you point</source>
         <translation>紅茶を押すと、指した場所にミルクを注ぎます</translation>
     </message>
+    <message>
+        <source>The glass is full</source>
+        <translation>グラスがいっぱいです</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::TeaPanel</name>

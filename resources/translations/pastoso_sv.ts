@@ -3874,6 +3874,10 @@
         <source>Press on the tea to pour milk where you point</source>
         <translation>Tryck på teet för att hälla mjölk där du pekar</translation>
     </message>
+    <message>
+        <source>The glass is full</source>
+        <translation>Glaset är fullt</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::TeaPanel</name>

@@ -3866,6 +3866,10 @@
         <source>Press on the tea to pour milk where you point</source>
         <translation>按住茶面，在所指之處倒入牛奶</translation>
     </message>
+    <message>
+        <source>The glass is full</source>
+        <translation>杯子已滿</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass::TeaPanel</name>

@@ -220,6 +220,18 @@ TEST(TeaSession, AnyMomentIsShownAgainAndTheLastGoesOn) {
     EXPECT_TRUE(session.status().shows_last);
 }
 
+TEST(TeaSession, SaysWhenTheGlassIsFull) {
+    liquid::TeaSettings settings = small_glass();
+    settings.pour_s = 0.05;
+    TeaSession session(settings, true, [] {});
+    session.pour(settings.cup.axis_m);
+    advance(session, 2);
+    EXPECT_FALSE(session.status().full);
+    advance(session, 20);
+    EXPECT_TRUE(session.status().full);
+    EXPECT_LT(session.snapshot()->cup().level_m, settings.cup.rim_m);
+}
+
 TEST(TeaSession, ANewGlassBeginsAtNothing) {
     TeaSession session(small_glass(), true, [] {});
     session.pour_recipe(true);

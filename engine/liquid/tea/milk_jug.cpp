@@ -164,9 +164,7 @@ void MilkJug::pour_from(Stream& stream, int most, const Pouring& into) {
 void MilkJug::pour_parcel(const Stream& stream, float way_m, const Pouring& into) {
     const TeaSettings& settings = into.settings;
     const float volume_m3 = milk_per_parcel_m3(settings);
-    const bool fits = state_.poured_m3 + static_cast<double>(volume_m3) <= most_poured_m3(settings) &&
-                      into.poured.size() < into.room;
-    if (!fits) return;
+    if (is_full(settings) || into.poured.size() == into.room) return;
     const glm::vec2 across_m =
         stream.at_m + radius_at_level_m(settings, into.level_m) * next_place(settings);
     const glm::vec3 place_m(across_m, into.level_m - kStreamStart_m - way_m);
@@ -174,6 +172,11 @@ void MilkJug::pour_parcel(const Stream& stream, float way_m, const Pouring& into
     const Cup cup = filled_to(settings.cup, into.level_m);
     into.poured.push_back({brought_within(cup, place_m, margin_m), volume_m3, 1.0F, -1});
     state_.poured_m3 += static_cast<double>(volume_m3);
+}
+
+bool MilkJug::is_full(const TeaSettings& settings) const {
+    const auto parcel_m3 = static_cast<double>(milk_per_parcel_m3(settings));
+    return state_.poured_m3 + parcel_m3 > most_poured_m3(settings);
 }
 
 double MilkJug::arriving_speed_m_s(const TeaSettings& settings, double dt_s) const {

@@ -73,6 +73,8 @@ class MilkJug {
     double arriving_speed_m_s(const TeaSettings& settings, double dt_s) const;
 
     double poured_m3() const { return state_.poured_m3; }
+    /// No parcel more fits.
+    bool is_full(const TeaSettings& settings) const;
     SeenPour seen(const TeaSettings& settings) const;
 
   private:

@@ -66,6 +66,7 @@ class MilkTea {
     bool recipe_flows() const { return jug_.recipe_flows(settings_); }
 
     double poured_m3() const { return jug_.poured_m3(); }
+    bool is_full() const { return jug_.is_full(settings_); }
     /// In parcels and dissolved.
     double milk_m3(core::ThreadPool& pool) const;
 
