@@ -52,14 +52,14 @@ QPixmap with_marks(main::MainWindow& window, glass::GlassView& view) {
 
 }  // namespace
 
-/// As the glass stands after nine seconds, and what a picture of it is like.
+/// The glass while milk falls into it, and what a picture of that is like.
 void take_tea(Camera& camera) {
     main::MainWindow& window = camera.window();
     main::TeaMode& tea = window.parts().tea;
     tea.enter();
     window.studio().commands().action(Command::TeaPour)->trigger();
     pass_time();
-    wait_for_liquid(camera, tea, 9.0, QStringLiteral("milk-tea"));
+    wait_for_liquid(camera, tea, 0.9, QStringLiteral("milk-tea"));
     camera.save(window.grab(), QStringLiteral("milk-tea"));
     appearance::apply_theme(*qApp, appearance::Theme::Light);
     pass_time();
