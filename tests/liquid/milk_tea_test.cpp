@@ -217,10 +217,24 @@ TEST(MilkTea, TheGlassDoesNotOverflow) {
     tea.pour_by_hand(settings.cup.axis_m);
     run(tea, 3.0, pool);
     EXPECT_LT(tea.cup().level_m, settings.cup.rim_m);
-    // 2 mm are left; a parcel more would lift it by 0.003 mm.
+    EXPECT_TRUE(tea.is_full());
+    EXPECT_TRUE(tea.pour().streams.empty()) << "the hand still pours, but nothing comes";
+    // 2 mm are left; a parcel lifts it by 0.003 mm.
     EXPECT_NEAR(tea.cup().level_m, settings.cup.rim_m - 0.002F, 1e-5F);
     for (const Parcel& parcel : tea.parcels())
         EXPECT_LE(tea_distance_m(tea.cup(), parcel.position_m), 1e-6F);
+}
+
+/// A glass that the recipe fills to its rim gets all of it.
+TEST(MilkTea, TheRecipeFitsABrimfulGlass) {
+    core::ThreadPool pool(2);
+    TeaSettings settings = small_tea();
+    settings.cells = 12;
+    settings.cup.rim_m = settings.cup.level_m;
+    MilkTea tea(settings);
+    run(tea, 2.0, pool);
+    EXPECT_EQ(tea.parcels().size(), 1500U);
+    EXPECT_TRUE(tea.is_full());
 }
 
 TEST(MilkTea, NoMoreIsPouredThanTheTeaIsHalfMilk) {

@@ -71,7 +71,9 @@ float covered(const Column& column, const glm::vec3& face_m, float cell_m) {
 /// What flows in takes the place of what was there, with its own speed: so much momentum comes in.
 void push_column(const Column& column, float speed_m_s, VelocityField& velocity) {
     const grid::BoxShape& shape = velocity.shape();
-    for (int k = 1; k < shape.nz; ++k)
+    const int first = std::max(static_cast<int>(column.low_m / shape.cell_m), 1),
+              last = std::min(static_cast<int>(column.high_m / shape.cell_m) + 1, shape.nz - 1);
+    for (int k = first; k <= last; ++k)
         for (int j = 0; j < shape.ny; ++j)
             for (int i = 0; i < shape.nx; ++i) {
                 const glm::vec3 face_m =
@@ -133,7 +135,7 @@ void MilkJug::set_state(const State& state, const TeaSettings& settings) {
 void MilkJug::pour(const TeaSettings& settings, double dt_s, std::size_t room,
                    std::vector<Parcel>& poured, VelocityField& velocity) {
     poured.clear();
-    if (settings.milk_m3 <= 0.0) return;
+    if (!can_pour(settings)) return;
     const Pouring into{settings, dt_s, level_m(settings, state_.poured_m3), room, poured, velocity};
     pour_from(state_.recipe, settings.parcels, into);
     pour_from(state_.hand, kMaxParcels, into);
@@ -149,8 +151,9 @@ void MilkJug::pour_from(Stream& stream, int most, const Pouring& into) {
     if (arriving_s <= 0.0) return;
     const double speed_m_s = speed_at_level_m_s(settings, arriving_s);
     const double parcel_s = settings.pour_s / settings.parcels;
+    const double left_jug_s = std::min(arriving_s, stream.until_s);
     const int due =
-        std::min(most, static_cast<int>(std::min(arriving_s, stream.until_s) / parcel_s + kDueSoon));
+        static_cast<int>(std::min(static_cast<double>(most), left_jug_s / parcel_s + kDueSoon));
     for (; stream.parcels < due; ++stream.parcels) {
         const double since_s = arriving_s - parcel_s * (stream.parcels + 1);
         pour_parcel(stream, static_cast<float>(speed_m_s * since_s), into);
@@ -176,11 +179,17 @@ void MilkJug::pour_parcel(const Stream& stream, float way_m, const Pouring& into
 
 bool MilkJug::is_full(const TeaSettings& settings) const {
     const auto parcel_m3 = static_cast<double>(milk_per_parcel_m3(settings));
-    return state_.poured_m3 + parcel_m3 > most_poured_m3(settings);
+    // Half a parcel: the last one must not be lost to rounding.
+    return state_.poured_m3 + 0.5 * parcel_m3 > most_poured_m3(settings);
+}
+
+bool MilkJug::can_pour(const TeaSettings& settings) const {
+    return settings.milk_m3 > 0.0 && !is_full(settings);
 }
 
 double MilkJug::arriving_speed_m_s(const TeaSettings& settings, double dt_s) const {
     double fastest_m_s = 0.0;
+    if (!can_pour(settings)) return fastest_m_s;
     const double fall = fall_s(settings);
     for (const Stream* stream : {&state_.recipe, &state_.hand}) {
         const double arriving_s = stream->seconds + dt_s - fall;
@@ -192,7 +201,7 @@ double MilkJug::arriving_speed_m_s(const TeaSettings& settings, double dt_s) con
 
 SeenPour MilkJug::seen(const TeaSettings& settings) const {
     SeenPour pour{level_m(settings, state_.poured_m3), {}};
-    if (settings.milk_m3 <= 0.0) return pour;
+    if (!can_pour(settings)) return pour;
     MilkStream seen = stream_of(settings, pour.level_m);
     const auto height_after = [&](double seconds) {
         const double way_m = fallen_way_m(lip_speed_m_s(settings), std::max(seconds, 0.0));

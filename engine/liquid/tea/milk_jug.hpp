@@ -73,7 +73,7 @@ class MilkJug {
     double arriving_speed_m_s(const TeaSettings& settings, double dt_s) const;
 
     double poured_m3() const { return state_.poured_m3; }
-    /// No parcel more fits.
+    /// No parcel more fits: streams end.
     bool is_full(const TeaSettings& settings) const;
     SeenPour seen(const TeaSettings& settings) const;
 
@@ -88,6 +88,7 @@ class MilkJug {
         VelocityField& velocity;
     };
 
+    bool can_pour(const TeaSettings& settings) const;
     void pour_from(Stream& stream, int most, const Pouring& into);
     void pour_parcel(const Stream& stream, float way_m, const Pouring& into);
     glm::vec2 next_place(const TeaSettings& settings);
