@@ -5,14 +5,29 @@
 #include "liquid/tea/jug_shape.hpp"
 #include "trace/tea_scene.hpp"
 
+#include <algorithm>
+
 #include <QVector2D>
 #include <QVector4D>
+#include <glm/geometric.hpp>
 
 namespace pastoso::glass {
 namespace {
 
 enum Unit { kShareUnit, kToLampUnit, kToLevelUnit, kLightUnit };
 constexpr int kDraftSteps = 40, kFullSteps = 80;  ///< of the march through the tea
+
+/// In which a stream with its jug lies.
+QVector4D ball_around(const liquid::MilkStream& stream, const liquid::Cup& cup) {
+    const liquid::JugPlace jug = liquid::jug_place(stream, cup);
+    const liquid::TurnedPoint& bottom = liquid::jug_profile().back();
+    const glm::vec3 low(stream.at_m, stream.low_m), high = jug.mouth_m + bottom.z_m * jug.axis;
+    float widest_m = stream.lip_radius_m;
+    for (const liquid::TurnedPoint& point : liquid::jug_profile())
+        widest_m = std::max(widest_m, point.radius_m);
+    const glm::vec3 middle = 0.5F * (low + high);
+    return {middle.x, middle.y, middle.z, 0.5F * glm::distance(low, high) + widest_m};
+}
 
 }  // namespace
 
@@ -135,6 +150,7 @@ void TeaRenderer::set_stream(QOpenGLShaderProgram& program) const {
     program.setUniformValue("dent_m", dent.depth_m);
     program.setUniformValue("dent_radius_m", dent.radius_m);
     set_jug(program, flows && liquid::is_held(stream) ? &stream : nullptr);
+    program.setUniformValue("pour_ball", flows ? ball_around(stream, cup_) : QVector4D());
 }
 
 /// Null: of none.

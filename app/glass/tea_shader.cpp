@@ -99,6 +99,7 @@ uniform int jug_points;
 uniform vec4 jug_profile[MOST_POINTS];
 uniform vec3 jug_mouth_m, jug_axis, jug_colour;
 uniform vec2 jug_milk;                    // radius, depth
+uniform vec4 pour_ball;                   // around all of them, its radius 0 where there are none
 
 // ---- light
 
@@ -264,22 +265,27 @@ vec3 body_light(Body body) {
     return body.colour * (LAMP * max(0.0, (dot(body.normal, LAMP_WAY) + 0.3) / 1.3) + SKY);
 }
 
+bool misses(vec3 from, vec3 way, vec3 middle, float radius) {
+    vec3 to_middle = middle - from;
+    float along = dot(to_middle, way);
+    return dot(to_middle, to_middle) - along * along > 1.001 * radius * radius;
+}
+
 /// Most pixels show the table alone.
-bool passes_by(vec3 from, vec3 way) {
+bool misses_glass(vec3 from, vec3 way) {
     float half_height = 0.5 * (rim_m - foot_m);
     float widest = max(radius_at(rim_m), radius_at(foot_m)) + wall_m;
-    vec3 middle = vec3(axis_m, foot_m + half_height) - from;
-    float along = dot(middle, way);
-    return dot(middle, middle) - along * along > 1.001 * (widest * widest + half_height * half_height);
+    return misses(from, way, vec3(axis_m, foot_m + half_height), length(vec2(widest, half_height)));
 }
 
 vec3 trace(vec3 from, vec3 way, float grain_here) {
     vec3 light = vec3(0.0), weight = vec3(1.0), normal;
     Body body;
-    int here = AIR, end = stream_high_m <= stream_low_m && passes_by(from, way) ? AROUND : NOWHERE;
+    bool no_pour = pour_ball.w == 0.0 || misses(from, way, pour_ball.xyz, pour_ball.w);
+    int here = AIR, end = no_pour && misses_glass(from, way) ? AROUND : NOWHERE;
     for (int event = 0; event < 9 && end == NOWHERE; ++event) {
         Meeting next = meet(from, way, here);
-        if (here == AIR) {
+        if (here == AIR && pour_ball.w > 0.0) {
             body = Body(next.way, vec3(0.0), vec3(0.0));
             meet_stream(from, way, body);
             meet_head(from, way, body);
