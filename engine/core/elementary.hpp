@@ -1,10 +1,8 @@
-// Exponential, logarithm and cube root out of the four operations alone, so that every machine and every
-// maths library gives the same bits.
+// Exponential and logarithm out of the four operations alone, so that every machine and every maths
+// library gives the same bits. Roots are in lane_power.hpp.
 #pragma once
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <initializer_list>
 
 namespace pastoso::core {
@@ -36,22 +34,6 @@ inline double exponential(double x) {
                                1.0 / 4, 1.0 / 3, 1.0 / 2, 1.0})
         series = 1.0 + series * (r * share);
     return std::ldexp(series, static_cast<int>(whole));
-}
-
-/// x^(-1/3) for normal x > 0, relative error below 5e-7: minus a third of the exponent, and Newton's
-/// steps, which need no division.
-inline float inverse_cube_root(float x) {
-    constexpr std::uint32_t kFourThirdsOfOne = 0x54A2FA8CU;
-    float root = std::bit_cast<float>(kFourThirdsOfOne - std::bit_cast<std::uint32_t>(x) / 3U);
-    for (int step = 0; step < 3; ++step)
-        root *= (4.0F - x * (root * root * root)) * (1.0F / 3.0F);
-    return root;
-}
-
-/// The same of x^(1/3).
-inline float cube_root(float x) {
-    const float inverse = inverse_cube_root(x);
-    return x * (inverse * inverse);
 }
 
 }  // namespace pastoso::core

@@ -54,6 +54,88 @@ PASTOSO_LANE_FUNCTION Lanes<T, N> gather(const T* table, Lanes<std::int32_t, N> 
     return generate<Lanes<T, N>>([&](int lane) PASTOSO_LANE_MEMBER { return table[index[lane]]; });
 }
 
+/// The lanes of `low` and behind them those of `high`.
+template <class T, int N>
+PASTOSO_LANE_FUNCTION Lanes<T, 2 * N> joined(Lanes<T, N> low, Lanes<T, N> high) {
+    return [&]<int... kLane>(std::integer_sequence<int, kLane...>) PASTOSO_LANE_MEMBER {
+        return Lanes<T, 2 * N>(__builtin_shufflevector(low.raw, high.raw, kLane...));
+    }
+    (std::make_integer_sequence<int, 2 * N>());
+}
+/// The first half of the lanes (0) or the second (1).
+template <int kHalf, class T, int N>
+PASTOSO_LANE_FUNCTION Lanes<T, N / 2> half_of(Lanes<T, N> both) {
+    return [&]<int... kLane>(std::integer_sequence<int, kLane...>) PASTOSO_LANE_MEMBER {
+        return Lanes<T, N / 2>(__builtin_shufflevector(both.raw, both.raw, (kLane + kHalf * N / 2)...));
+    }
+    (std::make_integer_sequence<int, N / 2>());
+}
+
+/// Four registers' worth of lanes.
+template <class V>
+struct FourRows {
+    V row[4];
+};
+/// In each quarter register of four lanes, what is in rows becomes columns.
+template <class T, int N>
+PASTOSO_LANE_FUNCTION FourRows<Lanes<T, N>> turned(const FourRows<Lanes<T, N>>& from) {
+    using V = Lanes<T, N>;
+    // Lanes 0 and 1, or 2 and 3, of each four of a and b by turns.
+    const auto low = [](V a, V b) PASTOSO_LANE_MEMBER {
+        return [&]<int... kLane>(std::integer_sequence<int, kLane...>) PASTOSO_LANE_MEMBER {
+            return V(__builtin_shufflevector(a.raw, b.raw,
+                                             (kLane / 4 * 4 + kLane % 4 / 2 + kLane % 2 * N)...));
+        }
+        (std::make_integer_sequence<int, N>());
+    };
+    const auto high = [](V a, V b) PASTOSO_LANE_MEMBER {
+        return [&]<int... kLane>(std::integer_sequence<int, kLane...>) PASTOSO_LANE_MEMBER {
+            return V(__builtin_shufflevector(a.raw, b.raw,
+                                             (kLane / 4 * 4 + 2 + kLane % 4 / 2 + kLane % 2 * N)...));
+        }
+        (std::make_integer_sequence<int, N>());
+    };
+    const V even_low = low(from.row[0], from.row[2]), odd_low = low(from.row[1], from.row[3]),
+            even_high = high(from.row[0], from.row[2]), odd_high = high(from.row[1], from.row[3]);
+    return {{low(even_low, odd_low), high(even_low, odd_low), low(even_high, odd_high),
+             high(even_high, odd_high)}};
+}
+
+/// Four neighbouring floats at `at` of each lane: row n holds the nth of all.
+template <class V, class At>
+PASTOSO_LANE_FUNCTION FourRows<V> load_fours(const At& at) {
+    const auto four = [&](int lane) PASTOSO_LANE_MEMBER { return load<Lanes<float, 4>>(at(lane)); };
+    FourRows<V> rows;
+    for (int n = 0; n < 4; ++n) {
+        if constexpr (V::kLanes == 4)
+            rows.row[n] = four(n);
+        else if constexpr (V::kLanes == 8)
+            rows.row[n] = joined(four(n), four(n + 4));
+        else
+            rows.row[n] = joined(joined(four(n), four(n + 4)), joined(four(n + 8), four(n + 12)));
+    }
+    return turned(rows);
+}
+/// The other way.
+template <class V, class At>
+PASTOSO_LANE_FUNCTION void store_fours(const FourRows<V>& of, const At& at) {
+    const FourRows<V> rows = turned(of);
+    for (int n = 0; n < 4; ++n) {
+        if constexpr (V::kLanes == 4) {
+            store(at(n), rows.row[n]);
+        } else if constexpr (V::kLanes == 8) {
+            store(at(n), half_of<0>(rows.row[n]));
+            store(at(n + 4), half_of<1>(rows.row[n]));
+        } else {
+            const auto first = half_of<0>(rows.row[n]), second = half_of<1>(rows.row[n]);
+            store(at(n), half_of<0>(first));
+            store(at(n + 4), half_of<1>(first));
+            store(at(n + 8), half_of<0>(second));
+            store(at(n + 12), half_of<1>(second));
+        }
+    }
+}
+
 /// Whether load_where() and store_where() leave the memory of the other lanes alone.
 constexpr bool kMasked = kRegisterBytes > 16;
 

@@ -20,12 +20,5 @@ TEST(Exponential, IsThatOfTheMathsLibrary) {
     EXPECT_EQ(exponential(0.0), 1.0);
 }
 
-TEST(CubeRoot, AndItsInverseAreThoseOfTheMathsLibrary) {
-    for (float x = 1e-30F; x < 1e30F; x *= 1.37F)
-        EXPECT_NEAR(cube_root(x) / std::cbrt(x), 1.0F, 1e-6F) << x;
-    for (float x = 1e-30F; x < 1e30F; x *= 1.37F)
-        EXPECT_NEAR(inverse_cube_root(x) * std::cbrt(x), 1.0F, 5e-7F) << x;
-}
-
 }  // namespace
 }  // namespace pastoso::core

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <vector>
 
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 namespace pastoso::liquid {
@@ -97,6 +100,108 @@ TEST(ParcelShape, ComesFromTheVelocitysGradientInTheCell) {
     deform(parcels, velocity, 0.25F, kLimits);
     for (const Parcel& parcel : parcels)
         expect_near(parcel.shape, deformed({}, 0.25F * gradient_per_s, kLimits), 1e-5F);
+}
+
+/// -1 to 1, by lot.
+float by_lot(std::uint32_t number, std::uint32_t seed) {
+    return 2.0F * core::uniform_noise(number, seed) - 1.0F;
+}
+
+VelocityField random_velocity(const grid::BoxShape& box) {
+    VelocityField velocity(box);
+    for (const int axis : kAxes) {
+        std::uint32_t n = 0;
+        for (float& value : velocity.along(axis).values())
+            value = 0.003F * by_lot(n++, static_cast<std::uint32_t>(axis));
+    }
+    return velocity;
+}
+
+/// Anywhere in the box and a little beyond it; round, drawn out, and nearly flat.
+std::vector<Parcel> random_parcels(const grid::BoxShape& box, std::uint32_t count) {
+    const glm::vec3 size_m = box.cell_m * glm::vec3(box.nx, box.ny, box.nz);
+    std::vector<Parcel> parcels(count);
+    for (std::uint32_t n = 0; n < count; ++n) {
+        Parcel& parcel = parcels[n];
+        const glm::vec3 share(by_lot(n, 10), by_lot(n, 11), by_lot(n, 12));
+        parcel = {(0.5F + 0.51F * share) * size_m, by_lot(n, 13), by_lot(n, 14), static_cast<int>(n)};
+        if (n % 3 == 0) continue;
+        parcel.shape = {.xx = 5.0F + 4.0F * by_lot(n, 15),
+                        .yy = 2.0F + by_lot(n, 16),
+                        .zz = n % 3 == 1 ? 1.0F : 1e-6F,
+                        .xy = by_lot(n, 17) * 0.9F,
+                        .xz = by_lot(n, 18) * 0.05F};
+    }
+    return parcels;
+}
+
+glm::mat3 gradient_per_s(const VelocityField& velocity, const glm::ivec3& cell) {
+    glm::mat3 gradient;
+    for (const int across : kAxes)
+        for (const int along : kAxes) {
+            const auto face = [&](int next, int step) {
+                glm::ivec3 at = cell;
+                at[across] += next;
+                at[along] += step;
+                return velocity.along(across).at(at.x, at.y, at.z);
+            };
+            const float change = along == across
+                                     ? face(1, 0) - face(0, 0)
+                                     : 0.25F * (face(0, 1) + face(1, 1) - face(0, -1) - face(1, -1));
+            gradient[along][across] = change / velocity.shape().cell_m;
+        }
+    return gradient;
+}
+
+bool is_round(const ParcelShape& s) {
+    return s == ParcelShape{s.xx, s.xx, s.xx};
+}
+
+/// One by one.
+std::vector<Parcel> each_deformed(std::vector<Parcel> parcels, const VelocityField& velocity, float dt_s,
+                                  const ShapeLimits& limits) {
+    const grid::BoxShape& box = velocity.shape();
+    for (Parcel& parcel : parcels) {
+        const glm::ivec3 cell = glm::clamp(glm::ivec3(parcel.position_m / box.cell_m), glm::ivec3(0),
+                                           glm::ivec3(box.nx, box.ny, box.nz) - 1);
+        parcel.shape = deformed(parcel.shape, dt_s * gradient_per_s(velocity, cell), limits);
+    }
+    return parcels;
+}
+
+/// To the bit: 0 and -0 are not the same.
+bool same_bits(const std::vector<Parcel>& a, const std::vector<Parcel>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Parcel)) == 0);
+}
+
+TEST(ParcelShape, ManyAreDeformedAsEachAloneIsOnEveryInstructionSet) {
+    const grid::BoxShape box{7, 6, 5, 0.01F};
+    const VelocityField velocity = random_velocity(box);
+    constexpr float kTime_s = 1.5F;
+    for (const float widening : {0.05F, 1e-6F})
+        for (const std::uint32_t count : {0U, 1U, 3U, 8U, 15U, 16U, 33U, 255U, 257U, 1000U}) {
+            const ShapeLimits limits = {.most = 6.0F, .widening_per_strain = widening};
+            const std::vector<Parcel> parcels = random_parcels(box, count);
+            const std::vector<Parcel> expected = each_deformed(parcels, velocity, kTime_s, limits);
+            for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
+                if (isa > core::best_isa()) continue;
+                std::vector<Parcel> together = parcels;
+                deform(together, velocity, kTime_s, limits, core::kernels<DeformationKernels>(isa));
+                EXPECT_TRUE(same_bits(together, expected)) << count << " on " << core::name_of(isa);
+            }
+        }
+}
+
+TEST(ParcelShape, OfThoseByLotManyAreDrawnOutAndManyTorn) {
+    const grid::BoxShape box{7, 6, 5, 0.01F};
+    const std::vector<Parcel> parcels =
+        each_deformed(random_parcels(box, 1000), random_velocity(box), 1.5F,
+                      {.most = 6.0F, .widening_per_strain = 1e-6F});
+    const auto torn =
+        std::ranges::count_if(parcels, [](const Parcel& parcel) { return is_round(parcel.shape); });
+    EXPECT_GT(torn, 100);
+    EXPECT_LT(torn, 900);
 }
 
 TEST(ParcelShape, LimitsAreThoseOfTheCellAndOfTheParcel) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "liquid/flow/velocity.hpp"
+#include "liquid/tea/deformation_kernels.hpp"
 #include "liquid/tea/parcel.hpp"
 #include "liquid/tea/tea_settings.hpp"
 
@@ -21,12 +22,6 @@ namespace pastoso::liquid {
 /// body. It is 3 s0.
 float poured_reach_m(const TeaSettings& settings);
 
-/// Of all parcels of a tea.
-struct ShapeLimits {
-    float most;                 ///< of S along any axis
-    float widening_per_strain;  ///< 2 D / (s0^2 |L|): see shape_limits()
-};
-
 /// D = (C h)^2 |L|, the eddy diffusivity of what a cell of side h does not resolve (Smagorinsky 1963),
 /// |L| = sqrt(2 tr(E^2)) the rate of strain E = (L + L^T) / 2. No axis becomes longer than four of a
 /// parcel as it is poured, nor than what fills a cell.
@@ -36,9 +31,10 @@ ShapeLimits shape_limits(const TeaSettings& settings);
 /// of velocity along axis n.
 ParcelShape deformed(const ParcelShape& shape, const glm::mat3& strain, const ShapeLimits& limits);
 
-/// During `dt_s`, by the velocity's gradient in the cell that each parcel lies in.
+/// The same during `dt_s`, by the velocity's gradient in the cell that each parcel lies in.
 void deform(std::span<Parcel> parcels, const VelocityField& velocity, float dt_s,
-            const ShapeLimits& limits);
+            const ShapeLimits& limits,
+            const DeformationKernels& kernels = core::kernels<DeformationKernels>());
 
 /// det(S)^(1/3): the variance along an axis of a round parcel of the same volume.
 float width(const ParcelShape& shape);
