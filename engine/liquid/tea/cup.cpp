@@ -8,26 +8,48 @@
 
 namespace pastoso::liquid {
 
+namespace {
+
+/// The edges of a cup's tea, for distances of many points.
+struct TeaEdges {
+    const Cup& cup;
+    float wall_normal = std::sqrt(1.0F + cup.slope * cup.slope);  ///< length of (1, slope)
+
+    float radius_m(const glm::vec2& place_m) const { return glm::length(place_m - cup.axis_m); }
+    /// Of a point so far from the axis.
+    float distance_m(float radius_m, float z_m) const {
+        const float wall = (radius_m - cup.inner_radius_m(z_m)) / wall_normal;
+        return std::max({wall, cup.floor_m - z_m, z_m - cup.level_m});
+    }
+};
+
+}  // namespace
+
 float tea_distance_m(const Cup& cup, const glm::vec3& point_m) {
-    const float radius = glm::length(glm::vec2(point_m) - cup.axis_m);
-    const float wall =
-        (radius - cup.inner_radius_m(point_m.z)) / std::sqrt(1.0F + cup.slope * cup.slope);
-    return std::max({wall, cup.floor_m - point_m.z, point_m.z - cup.level_m});
+    const TeaEdges edges{cup};
+    return edges.distance_m(edges.radius_m(point_m), point_m.z);
 }
 
 glm::vec3 pushed_within(const Cup& cup, glm::vec3 point_m, float margin_m) {
     constexpr int kPushes = 3;  // one for wall, floor and level each
     const float step_m = 0.5F * margin_m;
-    const auto distance = [&](const glm::vec3& at_m) { return tea_distance_m(cup, at_m) + margin_m; };
-    for (int push = 0; push < kPushes && distance(point_m) > 0.0F; ++push) {
-        glm::vec3 normal;
-        for (const int axis : {0, 1, 2}) {
-            glm::vec3 aside(0.0F);
-            aside[axis] = step_m;
-            normal[axis] = distance(point_m + aside) - distance(point_m - aside);
-        }
+    const TeaEdges edges{cup};
+    const auto distance = [&](float radius_m, float z_m) {
+        return edges.distance_m(radius_m, z_m) + margin_m;
+    };
+    for (int push = 0; push < kPushes; ++push) {
+        const glm::vec2 place_m = point_m;
+        const float radius_m = edges.radius_m(place_m), z_m = point_m.z;
+        const float outside_m = distance(radius_m, z_m);
+        if (!(outside_m > 0.0F)) break;
+        const auto across = [&](const glm::vec2& aside_m) {
+            return distance(edges.radius_m(place_m + aside_m), z_m) -
+                   distance(edges.radius_m(place_m - aside_m), z_m);
+        };
+        const glm::vec3 normal(across({step_m, 0.0F}), across({0.0F, step_m}),
+                               distance(radius_m, z_m + step_m) - distance(radius_m, z_m - step_m));
         const float length = glm::length(normal);
-        if (length > 0.0F) point_m -= normal * (distance(point_m) / length);
+        if (length > 0.0F) point_m -= normal * (outside_m / length);
     }
     return point_m;
 }
