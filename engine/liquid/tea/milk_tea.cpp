@@ -22,7 +22,7 @@ constexpr float kLeastParcel = 0.004F;
 /// A stream comes no farther at a time: what it meets has to keep up with it.
 constexpr double kStreamWay_cells = 6.0;
 /// The flow's top is moved in steps of so much of a cell.
-constexpr float kLidSteps_per_cell = 4.0F;
+constexpr float kLidSteps_per_cell = 2.0F;
 
 grid::BoxShape box_of(const TeaSettings& settings) {
     check_tea(settings);
