@@ -110,7 +110,7 @@ double exponent_of_starting_plume(std::uint32_t seed, core::ThreadPool& pool) {
 TEST(StartingPlume, GoesDownAsTurnerFound) {
     core::ThreadPool pool;
     double sum = 0.0;
-    constexpr int kRuns = 3;
+    constexpr int kRuns = 9;
     for (int run = 0; run < kRuns; ++run) {
         const double exponent = exponent_of_starting_plume(static_cast<std::uint32_t>(run) + 1, pool);
         RecordProperty("exponent_" + std::to_string(run), std::to_string(exponent));

@@ -1,6 +1,8 @@
 // The glass that the tea stands in: a cone with a flat floor around an upright axis, in metres, z up.
 #pragma once
 
+#include <cmath>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -24,6 +26,12 @@ struct Cup {
 inline Cup filled_to(Cup cup, float level_m) {
     cup.level_m = level_m;
     return cup;
+}
+
+/// The cup as a flow in such cells has it: filled up to the middles of its level's cells, so that walls
+/// are not found anew for every rise.
+inline Cup filled_in_cells(const Cup& cup, float cell_m) {
+    return filled_to(cup, cell_m * (std::floor(cup.level_m / cell_m) + 0.5F));
 }
 
 /// The signed distance from the surface of the tea at rest, up to the level, negative within; beyond its

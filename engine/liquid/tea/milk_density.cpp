@@ -157,8 +157,12 @@ MilkDensitySettings even_density(const TeaSettings& settings) {
 void MilkDensities::set_tea(const grid::BoxShape& flow, const Cup& cup) {
     if (walls_ && walls_->shape() == flow && cup_ == cup) return;
     cup_ = cup;
-    walls_.emplace(flow, [cup](const glm::vec3& point_m) { return tea_distance_m(cup, point_m); });
     shape_ = {};
+    const Cup flow_cup = filled_in_cells(cup, flow.cell_m);
+    if (walls_ && walls_->shape() == flow && flow_cup == flow_cup_) return;
+    flow_cup_ = flow_cup;
+    walls_.emplace(flow,
+                   [flow_cup](const glm::vec3& point_m) { return tea_distance_m(flow_cup, point_m); });
 }
 
 void MilkDensities::set_lattice(int cells) {

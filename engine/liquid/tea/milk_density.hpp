@@ -57,7 +57,7 @@ class MilkDensities {
                 grid::BlockField& density) const;
 
     core::ThreadPool& pool_;
-    Cup cup_;
+    Cup cup_, flow_cup_;
     std::optional<Walls> walls_;  ///< of the flow
     grid::BoxField dissolved_;    ///< and wide parcels, continued into the walls
     grid::BoxShape shape_;        ///< of the density

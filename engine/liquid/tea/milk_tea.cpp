@@ -21,8 +21,6 @@ constexpr float kMostMilk = 1.2F;
 constexpr float kLeastParcel = 0.004F;
 /// A stream comes no farther at a time: what it meets has to keep up with it.
 constexpr double kStreamWay_cells = 6.0;
-/// The flow's top is moved in steps of so much of a cell.
-constexpr float kLidSteps_per_cell = 2.0F;
 
 grid::BoxShape box_of(const TeaSettings& settings) {
     check_tea(settings);
@@ -48,11 +46,6 @@ float share_passed(double dt_s, double time_s) {
     return static_cast<float>(1.0 - core::exponential(-dt_s / time_s));
 }
 
-float lid_m(const Cup& cup, const grid::BoxShape& shape) {
-    const float step_m = shape.cell_m / kLidSteps_per_cell;
-    return step_m * std::round(cup.level_m / step_m);
-}
-
 bool is_worse(const SolveResult& a, const SolveResult& b) {
     return a.residual > b.residual;
 }
@@ -62,9 +55,8 @@ bool is_worse(const SolveResult& a, const SolveResult& b) {
 MilkTea::MilkTea(const TeaSettings& settings)
     : settings_((check_tea(settings), settings)),
       jug_(settings),
-      lid_m_(lid_m(cup(), box_of(settings))),
-      flow_(std::in_place, box_of(settings), distance_in(filled_to(settings.cup, lid_m_)),
-            flow_of(settings)),
+      flow_cup_(filled_in_cells(cup(), box_of(settings).cell_m)),
+      flow_(std::in_place, box_of(settings), distance_in(flow_cup_), flow_of(settings)),
       dissolved_(flow_->shape()),
       coldness_(flow_->shape()),
       balls_(settings),
@@ -141,13 +133,13 @@ void MilkTea::clear_parcel_fields() {
 /// The flow up to the level as it stands, at rest.
 void MilkTea::fill_flow() {
     const grid::BoxShape shape = box_of(settings_);
-    lid_m_ = lid_m(cup(), shape);
-    flow_.emplace(shape, distance_in(filled_to(settings_.cup, lid_m_)), flow_of(settings_));
+    flow_cup_ = filled_in_cells(cup(), shape.cell_m);
+    flow_.emplace(shape, distance_in(flow_cup_), flow_of(settings_));
 }
 
 /// Where the level rises, there is what was below it; of milk and cold there is as much as before.
 void MilkTea::raise_level(core::ThreadPool& pool) {
-    if (lid_m(cup(), flow_->shape()) == lid_m_) return;
+    if (filled_in_cells(cup(), flow_->shape().cell_m) == flow_cup_) return;
     const std::array<grid::BoxField*, 2> fields = {&dissolved_, &coldness_};
     std::array<double, 2> sums{};
     for (const std::size_t f : {0, 1}) {

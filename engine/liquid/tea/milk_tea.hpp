@@ -95,7 +95,7 @@ class MilkTea {
 
     TeaSettings settings_;
     MilkJug jug_;
-    float lid_m_ = 0.0F;              ///< how high the flow reaches: the level, rounded
+    Cup flow_cup_;                    ///< as the flow has it
     std::optional<VesselFlow> flow_;  ///< never empty
     grid::BoxField dissolved_, coldness_;
     std::vector<Parcel> parcels_, poured_;  ///< all, and those of a step
