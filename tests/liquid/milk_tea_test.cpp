@@ -23,6 +23,11 @@ void run(MilkTea& tea, double until_s, core::ThreadPool& pool) {
         tea.step(pool);
 }
 
+void expect_parcels_in_cup(const MilkTea& tea) {
+    for (const Parcel& parcel : tea.parcels())
+        ASSERT_LE(tea_distance_m(tea.cup(), parcel.position_m), 1e-6F);
+}
+
 /// Height of the middle of all milk in parcels.
 double middle_mm(const MilkTea& tea) {
     double volume = 0.0, moment = 0.0;
@@ -140,8 +145,7 @@ TEST(MilkTea, TheLevelRisesByWhatIsPoured) {
     while (tea.time_s() < 2.5) {
         tea.step(pool);
         EXPECT_NEAR(tea_volume_m3(tea.cup()), rest_m3 + tea.poured_m3(), 1e-6 * rest_m3);
-        for (const Parcel& parcel : tea.parcels())
-            ASSERT_LE(tea_distance_m(tea.cup(), parcel.position_m), 1e-6F);
+        expect_parcels_in_cup(tea);
         EXPECT_GE(tea.flow().walls().open_cell_count(), cells);
         cells = tea.flow().walls().open_cell_count();
     }
@@ -204,8 +208,7 @@ TEST(MilkTea, AHandBesideTheCupPoursAlongItsWall) {
     MilkTea tea(small_tea());
     tea.pour_by_hand(glm::vec2(-3.0F, 5.0F));
     run(tea, 0.5, pool);
-    for (const Parcel& parcel : tea.parcels())
-        EXPECT_LE(tea_distance_m(tea.cup(), parcel.position_m), 1e-6F);
+    expect_parcels_in_cup(tea);
 }
 
 TEST(MilkTea, TheGlassDoesNotOverflow) {
@@ -221,8 +224,7 @@ TEST(MilkTea, TheGlassDoesNotOverflow) {
     EXPECT_TRUE(tea.pour().streams.empty()) << "the hand still pours, but nothing comes";
     // 2 mm are left; a parcel lifts it by 0.003 mm.
     EXPECT_NEAR(tea.cup().level_m, settings.cup.rim_m - 0.002F, 1e-5F);
-    for (const Parcel& parcel : tea.parcels())
-        EXPECT_LE(tea_distance_m(tea.cup(), parcel.position_m), 1e-6F);
+    expect_parcels_in_cup(tea);
 }
 
 /// A glass that the recipe fills to its rim gets all of it.

@@ -49,10 +49,6 @@ MilkStream stream_of(const TeaSettings& settings, float level) {
     return stream;
 }
 
-float radius_at_level_m(const TeaSettings& settings, float level) {
-    return stream_of(settings, level).radius_m(level);
-}
-
 /// A column under the level.
 struct Column {
     glm::vec2 at_m;
@@ -101,6 +97,11 @@ double most_poured_m3(const TeaSettings& settings) {
     return std::min(settings.milk_m3 + brimful_m3 - full_m3, kMostMilkInCup * full_m3);
 }
 
+/// Half a parcel more than is left does: the last one must not be lost to rounding.
+bool fits(float parcel_m3, double poured_m3, double most_m3) {
+    return poured_m3 + 0.5 * static_cast<double>(parcel_m3) <= most_m3;
+}
+
 }  // namespace
 
 float level_m(const TeaSettings& settings, double poured_m3) {
@@ -136,7 +137,15 @@ void MilkJug::pour(const TeaSettings& settings, double dt_s, std::size_t room,
                    std::vector<Parcel>& poured, VelocityField& velocity) {
     poured.clear();
     if (!can_pour(settings)) return;
-    const Pouring into{settings, dt_s, level_m(settings, state_.poured_m3), room, poured, velocity};
+    const float level = level_m(settings, state_.poured_m3);
+    const Pouring into{settings,
+                       dt_s,
+                       filled_to(settings.cup, level),
+                       stream_of(settings, level).radius_m(level),
+                       most_poured_m3(settings),
+                       room,
+                       poured,
+                       velocity};
     pour_from(state_.recipe, settings.parcels, into);
     pour_from(state_.hand, kMaxParcels, into);
 }
@@ -159,28 +168,24 @@ void MilkJug::pour_from(Stream& stream, int most, const Pouring& into) {
         pour_parcel(stream, static_cast<float>(speed_m_s * since_s), into);
     }
     const float way_m = static_cast<float>(speed_m_s * std::min(into.dt_s, arriving_s));
-    push_column(
-        {stream.at_m, radius_at_level_m(settings, into.level_m), into.level_m, into.level_m - way_m},
-        static_cast<float>(speed_m_s), into.velocity);
+    const float level = into.cup.level_m;
+    push_column({stream.at_m, into.radius_m, level, level - way_m}, static_cast<float>(speed_m_s),
+                into.velocity);
 }
 
 void MilkJug::pour_parcel(const Stream& stream, float way_m, const Pouring& into) {
     const TeaSettings& settings = into.settings;
     const float volume_m3 = milk_per_parcel_m3(settings);
-    if (is_full(settings) || into.poured.size() == into.room) return;
-    const glm::vec2 across_m =
-        stream.at_m + radius_at_level_m(settings, into.level_m) * next_place(settings);
-    const glm::vec3 place_m(across_m, into.level_m - kStreamStart_m - way_m);
+    if (!fits(volume_m3, state_.poured_m3, into.most_m3) || into.poured.size() == into.room) return;
+    const glm::vec2 across_m = stream.at_m + into.radius_m * next_place(settings);
+    const glm::vec3 place_m(across_m, into.cup.level_m - kStreamStart_m - way_m);
     const float margin_m = kWallMargin_cells * into.velocity.shape().cell_m;
-    const Cup cup = filled_to(settings.cup, into.level_m);
-    into.poured.push_back({brought_within(cup, place_m, margin_m), volume_m3, 1.0F, -1});
+    into.poured.push_back({brought_within(into.cup, place_m, margin_m), volume_m3, 1.0F, -1});
     state_.poured_m3 += static_cast<double>(volume_m3);
 }
 
 bool MilkJug::is_full(const TeaSettings& settings) const {
-    const auto parcel_m3 = static_cast<double>(milk_per_parcel_m3(settings));
-    // Half a parcel: the last one must not be lost to rounding.
-    return state_.poured_m3 + 0.5 * parcel_m3 > most_poured_m3(settings);
+    return !fits(milk_per_parcel_m3(settings), state_.poured_m3, most_poured_m3(settings));
 }
 
 bool MilkJug::can_pour(const TeaSettings& settings) const {

@@ -82,7 +82,9 @@ class MilkJug {
     struct Pouring {
         const TeaSettings& settings;
         double dt_s;
-        float level_m;
+        Cup cup;         ///< filled up to the level
+        float radius_m;  ///< of a stream there
+        double most_m3;  ///< that may have been poured
         std::size_t room;
         std::vector<Parcel>& poured;
         VelocityField& velocity;
