@@ -3,6 +3,7 @@
 #include "glass/ray_shaders.hpp"
 #include "glass/tea_shader.hpp"
 #include "liquid/tea/jug_shape.hpp"
+#include "liquid/tea/stream_mesh.hpp"
 #include "trace/tea_scene.hpp"
 
 #include <algorithm>
@@ -147,6 +148,8 @@ void TeaRenderer::set_stream(QOpenGLShaderProgram& program) const {
     program.setUniformValue("stream_low_m", stream.low_m);
     program.setUniformValue("stream_lip_m_s", stream.lip_speed_m_s);
     program.setUniformValue("stream_lip_radius_m", stream.lip_radius_m);
+    program.setUniformValue("stream_end_height", liquid::kStreamEndHeight);
+    program.setUniformValue("gravity_m_s2", static_cast<float>(liquid::kFreeFall_m_s2));
     program.setUniformValue("dent_m", dent.depth_m);
     program.setUniformValue("dent_radius_m", dent.radius_m);
     set_jug(program, flows && liquid::is_held(stream) ? &stream : nullptr);

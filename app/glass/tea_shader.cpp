@@ -92,6 +92,8 @@ uniform sampler3D milk_share, light_in_tea;  // the light as kTeaLightShader fin
 // Of the stream in the air (liquid/tea/milk_stream.hpp). Its high is below its low where there is none.
 uniform vec2 stream_at_m;
 uniform float stream_lip_m, stream_high_m, stream_low_m, stream_lip_m_s, stream_lip_radius_m;
+uniform float stream_end_height;          // of its round ends, of their radius
+uniform float gravity_m_s2;
 uniform float dent_m, dent_radius_m;      // how deep it dents the level, and how far around
 // The jug (liquid/tea/jug_shape.hpp); of its profile radius, height, normal. No points: none is held.
 const int MOST_POINTS = 16;
@@ -200,7 +202,7 @@ void through_tea(vec3 from, vec3 way, float length_m, float grain_here, inout ve
 
 float stream_radius(float z) {
     float fallen = max(stream_lip_m - z, 0.0);
-    return stream_lip_radius_m * sqrt(stream_lip_m_s / sqrt(stream_lip_m_s * stream_lip_m_s + 19.62 * fallen));
+    return stream_lip_radius_m * sqrt(stream_lip_m_s / sqrt(stream_lip_m_s * stream_lip_m_s + 2.0 * gravity_m_s2 * fallen));
 }
 
 /// What stands in the air outside of the glass.
@@ -227,9 +229,8 @@ void meet_stream(vec3 from, vec3 way, inout Body first) {
 
 /// The round head of milk above the lip.
 void meet_head(vec3 from, vec3 way, inout Body first) {
-    const float HIGH = 0.7;  // liquid/tea/stream_mesh.cpp
     if (stream_high_m <= stream_low_m) return;
-    vec3 scale = vec3(1.0, 1.0, 1.0 / HIGH) / stream_radius(stream_high_m);
+    vec3 scale = vec3(1.0, 1.0, 1.0 / stream_end_height) / stream_radius(stream_high_m);
     vec3 o = (from - vec3(stream_at_m, stream_high_m)) * scale, d = way * scale;
     float a = dot(d, d), b = dot(o, d), in_root = b * b - a * (dot(o, o) - 1.0);
     if (in_root < 0.0) return;

@@ -3,18 +3,12 @@
 #include <algorithm>
 
 namespace pastoso::liquid {
-namespace {
-
-constexpr double kGravity_m_s2 = 9.81;
-
-}  // namespace
-
 double fallen_speed_m_s(double lip_speed_m_s, double way_m) {
-    return std::sqrt(lip_speed_m_s * lip_speed_m_s + 2.0 * kGravity_m_s2 * way_m);
+    return std::sqrt(lip_speed_m_s * lip_speed_m_s + 2.0 * kFreeFall_m_s2 * way_m);
 }
 
 double fallen_way_m(double lip_speed_m_s, double seconds) {
-    return seconds * (lip_speed_m_s + 0.5 * kGravity_m_s2 * seconds);
+    return seconds * (lip_speed_m_s + 0.5 * kFreeFall_m_s2 * seconds);
 }
 
 float MilkStream::speed_m_s(float z_m) const {

@@ -10,6 +10,9 @@
 
 namespace pastoso::liquid {
 
+/// The acceleration of what falls.
+inline constexpr double kFreeFall_m_s2 = 9.81;
+
 /// A stream in free fall, upright and round. The same volume passes every height z:
 ///     v^2 = v_lip^2 + 2 g max(lip - z, 0),     r^2 v = r_lip^2 v_lip.
 struct MilkStream {

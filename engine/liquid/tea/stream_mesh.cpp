@@ -20,15 +20,14 @@ constexpr float kRing_m = 0.001F;  ///< about as far as rings are apart along th
 /// A quarter of an ellipse: from the axis out to the stream above (`up` -1), or from the stream below to
 /// the axis, without the stream's own ring.
 void add_cap(float radius_m, float z_m, float up, std::vector<TurnedPoint>& profile) {
-    constexpr float kHigh = 0.7F;  // of the radius
     for (int n = up < 0.0F ? 0 : 1; n < kCapRings; ++n) {
         const int from_axis = up < 0.0F ? n : kCapRings - n;
         const float angle = 0.5F * std::numbers::pi_v<float> * static_cast<float>(from_axis) / kCapRings;
         const float out = from_axis == 0 ? 0.0F : std::sin(angle), along = std::cos(angle);
-        const glm::vec2 normal = glm::normalize(glm::vec2(kHigh * out, up * along));
-        profile.push_back({radius_m * out, z_m + up * kHigh * radius_m * along, normal});
+        const glm::vec2 normal = glm::normalize(glm::vec2(kStreamEndHeight * out, up * along));
+        profile.push_back({radius_m * out, z_m + up * kStreamEndHeight * radius_m * along, normal});
     }
-    if (up > 0.0F) profile.push_back({0.0F, z_m + kHigh * radius_m, {0.0F, 1.0F}});
+    if (up > 0.0F) profile.push_back({0.0F, z_m + kStreamEndHeight * radius_m, {0.0F, 1.0F}});
 }
 
 /// Adds a profile that turns around the jug's axis.
