@@ -50,7 +50,7 @@ void Extrapolation::add_ring(const grid::BoxShape& shape, std::vector<std::uint8
 }
 
 void Extrapolation::apply(grid::BoxField& field, core::ThreadPool& pool) const {
-    constexpr std::size_t kBlock = 4096;
+    constexpr std::size_t kBlock = 1024;
     std::size_t begin = 0;
     for (const std::size_t end : ring_ends_) {
         pool.run((end - begin + kBlock - 1) / kBlock, [&](std::size_t block, int) {

@@ -1,12 +1,23 @@
 // Half sweeps of a multigrid level and the vector operations of conjugate gradients, slice by slice.
 // Compiled once per instruction set; see pastoso_add_kernels.
+#include "core/lane_memory.hpp"
 #include "liquid/flow/kernels.hpp"
 
 namespace pastoso::liquid::PASTOSO_ISA {
 namespace {
 
+namespace lanes = core::lanes;
+
 constexpr int kFirstColour = 0, kLastColour = 1;
 constexpr int kMaxHalf = 512 / 2 + 2 * kGroup;
+
+/// A group of cells of one colour. Rows are worked on in groups by name: left to the compiler, loops
+/// over two to eight groups spend their time on what comes before and after them.
+using Group = lanes::Lanes<float, kGroup>;
+
+PASTOSO_LANE_FUNCTION Group load(const float* from) {
+    return lanes::load<Group>(from);
+}
 
 /// One colour of a row: its cells of the range, and where the cells around them stand in the other
 /// colour.
@@ -15,7 +26,7 @@ struct Row {
     int west;           ///< from m to the cell to the west; the one to the east stands one further
     int begin, end, plain_begin, plain_end;
 };
-[[gnu::always_inline]] inline Row row_of(const LevelView& level, int colour, int j, int k) {
+PASTOSO_LANE_FUNCTION Row row_of(const LevelView& level, int colour, int j, int k) {
     const GroupRange range = level.rows[k * level.extent.ny + j];
     return {j * level.stride_y + k * level.stride_z,
             ((j + k + colour) & 1) - 1,
@@ -25,125 +36,129 @@ struct Row {
             range.plain_end};
 }
 
-/// The values around a row's cells.
+/// The values around a group of a row's cells, m the first of them.
 struct Neighbours {
-    const float *west, *east, *south, *north, *below, *above;
+    const float* values;  ///< of the other colour
+    std::ptrdiff_t to_west, stride_y, stride_z;
 
-    [[gnu::always_inline]] Neighbours(const LevelView& level, const Row& row, int colour,
-                                      const ColourPointers& values) {
-        const float* x = values.colour[1 - colour] + row.at;
-        west = x + row.west;
-        east = x + row.west + 1;
-        south = x - level.stride_y;
-        north = x + level.stride_y;
-        below = x - level.stride_z;
-        above = x + level.stride_z;
-    }
+    PASTOSO_LANE_MEMBER Neighbours(const LevelView& level, const Row& row, int colour,
+                                   const ColourPointers& of)
+        : values(of.colour[1 - colour] + row.at),
+          to_west(row.west),
+          stride_y(level.stride_y),
+          stride_z(level.stride_z) {}
+    PASTOSO_LANE_MEMBER Group west(int m) const { return load(values + m + to_west); }
+    PASTOSO_LANE_MEMBER Group east(int m) const { return load(values + m + to_west + 1); }
+    PASTOSO_LANE_MEMBER Group south(int m) const { return load(values + m - stride_y); }
+    PASTOSO_LANE_MEMBER Group north(int m) const { return load(values + m + stride_y); }
+    PASTOSO_LANE_MEMBER Group below(int m) const { return load(values + m - stride_z); }
+    PASTOSO_LANE_MEMBER Group above(int m) const { return load(values + m + stride_z); }
 };
 
 /// A row's equations, with the coefficients of each cell.
 struct Equations {
     Neighbours x;
-    const float *west, *east, *south, *north, *below, *above;  ///< coefficients
+    const float *wests, *easts, *souths, *norths, *belows, *aboves;  ///< coefficients
     const float *diagonals, *inverses;
 
-    [[gnu::always_inline]] Equations(const LevelView& level, const Row& row, int colour,
-                                     const ColourPointers& values)
+    PASTOSO_LANE_MEMBER Equations(const LevelView& level, const Row& row, int colour,
+                                  const ColourPointers& values)
         : x(level, row, colour, values) {
         const int other = 1 - colour;
         const std::ptrdiff_t at = row.at;
-        west = level.west.colour[colour] + at;
-        east = level.west.colour[other] + at + row.west + 1;
-        south = level.south.colour[colour] + at;
-        north = level.south.colour[other] + at + level.stride_y;
-        below = level.below.colour[colour] + at;
-        above = level.below.colour[other] + at + level.stride_z;
+        wests = level.west.colour[colour] + at;
+        easts = level.west.colour[other] + at + row.west + 1;
+        souths = level.south.colour[colour] + at;
+        norths = level.south.colour[other] + at + level.stride_y;
+        belows = level.below.colour[colour] + at;
+        aboves = level.below.colour[other] + at + level.stride_z;
         diagonals = level.diagonal.colour[colour] + at;
         inverses = level.inverse.colour[colour] + at;
     }
-    /// What the neighbours add to cell m: the sum of a_f x_f.
-    [[gnu::always_inline]] float inflow(int m) const {
-        return ((west[m] * x.west[m] + east[m] * x.east[m]) +
-                (south[m] * x.south[m] + north[m] * x.north[m])) +
-               (below[m] * x.below[m] + above[m] * x.above[m]);
+    /// What the neighbours add to each cell: the sum of a_f x_f.
+    PASTOSO_LANE_MEMBER Group inflow(int m) const {
+        return ((load(wests + m) * x.west(m) + load(easts + m) * x.east(m)) +
+                (load(souths + m) * x.south(m) + load(norths + m) * x.north(m))) +
+               (load(belows + m) * x.below(m) + load(aboves + m) * x.above(m));
     }
-    [[gnu::always_inline]] float diagonal(int m) const { return diagonals[m]; }
-    [[gnu::always_inline]] float inverse(int m) const { return inverses[m]; }
+    PASTOSO_LANE_MEMBER Group diagonal(int m) const { return load(diagonals + m); }
+    PASTOSO_LANE_MEMBER Group inverse(int m) const { return load(inverses + m); }
 };
 
 /// The same numbers from the same operations, where all coefficients are those of the level.
 struct PlainEquations {
     Neighbours x;
-    PlainEquation plain;
+    Group coefficient, of_cell, over_cell;
 
-    [[gnu::always_inline]] PlainEquations(const LevelView& level, const Row& row, int colour,
-                                          const ColourPointers& values)
-        : x(level, row, colour, values), plain(level.plain) {}
-    [[gnu::always_inline]] float inflow(int m) const {
-        const float a = plain.coefficient;
-        return ((a * x.west[m] + a * x.east[m]) + (a * x.south[m] + a * x.north[m])) +
-               (a * x.below[m] + a * x.above[m]);
+    PASTOSO_LANE_MEMBER PlainEquations(const LevelView& level, const Row& row, int colour,
+                                       const ColourPointers& values)
+        : x(level, row, colour, values),
+          coefficient(level.plain.coefficient),
+          of_cell(level.plain.diagonal),
+          over_cell(level.plain.inverse) {}
+    PASTOSO_LANE_MEMBER Group inflow(int m) const {
+        const Group a = coefficient;
+        return ((a * x.west(m) + a * x.east(m)) + (a * x.south(m) + a * x.north(m))) +
+               (a * x.below(m) + a * x.above(m));
     }
-    [[gnu::always_inline]] float diagonal(int) const { return plain.diagonal; }
-    [[gnu::always_inline]] float inverse(int) const { return plain.inverse; }
+    PASTOSO_LANE_MEMBER Group diagonal(int) const { return of_cell; }
+    PASTOSO_LANE_MEMBER Group inverse(int) const { return over_cell; }
 };
 
-/// Calls body(equations, begin, end) for the parts of a row, plain ones and others.
+/// Calls body(equations, m) for each group of a row, plain ones and others.
 template <class Body>
-[[gnu::always_inline]] inline void for_parts(const LevelView& level, const Row& row, int colour,
-                                             const ColourPointers& values, const Body& body) {
+PASTOSO_LANE_FUNCTION void for_groups(const LevelView& level, const Row& row, int colour,
+                                      const ColourPointers& values, const Body& body) {
     const Equations cells(level, row, colour, values);
-    body(cells, row.begin, row.plain_begin);
-    body(PlainEquations(level, row, colour, values), row.plain_begin, row.plain_end);
-    body(cells, row.plain_end, row.end);
+    for (int m = row.begin; m < row.plain_begin; m += kGroup)
+        body(cells, m);
+    const PlainEquations plain(level, row, colour, values);
+    for (int m = row.plain_begin; m < row.plain_end; m += kGroup)
+        body(plain, m);
+    for (int m = row.plain_end; m < row.end; m += kGroup)
+        body(cells, m);
 }
 
-/// A sum in kGroup lanes, each in its own order whatever the registers' width.
+/// A row's sum in kGroup lanes, each in its own order whatever the registers' width.
 struct LaneSum {
-    float lane[kGroup] = {};
-    [[gnu::always_inline]] double total() const {
+    Group lane = Group(0.0F);
+    PASTOSO_LANE_MEMBER void add(Group value) { lane += value; }
+    PASTOSO_LANE_MEMBER double total() const {
         return (static_cast<double>((lane[0] + lane[4]) + (lane[2] + lane[6])) +
                 static_cast<double>((lane[1] + lane[5]) + (lane[3] + lane[7])));
     }
 };
 
-[[gnu::always_inline]] inline double product(const float* a, const float* b, int begin, int end) {
+PASTOSO_LANE_FUNCTION double product(const float* a, const float* b, int begin, int end) {
     LaneSum sum;
-    for (int group = begin; group < end; group += kGroup)
-        for (int lane = 0; lane < kGroup; ++lane)
-            sum.lane[lane] += a[group + lane] * b[group + lane];
+    for (int m = begin; m < end; m += kGroup)
+        sum.add(load(a + m) * load(b + m));
     return sum.total();
 }
 
-[[gnu::always_inline]] inline double total(const float* a, int begin, int end) {
+PASTOSO_LANE_FUNCTION double total(const float* a, int begin, int end) {
     LaneSum sum;
-    for (int group = begin; group < end; group += kGroup)
-        for (int lane = 0; lane < kGroup; ++lane)
-            sum.lane[lane] += a[group + lane];
+    for (int m = begin; m < end; m += kGroup)
+        sum.add(load(a + m));
     return sum.total();
 }
 
-// The loops over the cells of a part. What they write overlaps nothing that they read but at m itself,
-// which the compiler cannot see (and would check at run time, if the pointers were fewer).
+// What is done to each group of a row.
 
 struct FromZero {
     float* x;
     const float* b;
     template <class Cells>
-    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
-#pragma GCC ivdep
-        for (int m = begin; m < end; ++m)
-            x[m] = b[m] * cell.inverse(m);
+    PASTOSO_LANE_MEMBER void operator()(const Cells& cells, int m) const {
+        lanes::store(x + m, load(b + m) * cells.inverse(m));
     }
 };
 struct Relaxation {
     float* x;
     const float* b;
     template <class Cells>
-    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
-#pragma GCC ivdep
-        for (int m = begin; m < end; ++m)
-            x[m] = (b[m] + cell.inflow(m)) * cell.inverse(m);
+    PASTOSO_LANE_MEMBER void operator()(const Cells& cells, int m) const {
+        lanes::store(x + m, (load(b + m) + cells.inflow(m)) * cells.inverse(m));
     }
 };
 /// Adds up to `sum`.
@@ -151,66 +166,65 @@ struct Residual {
     const float *x, *b;
     float* sum;
     template <class Cells>
-    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
-#pragma GCC ivdep
-        for (int m = begin; m < end; ++m)
-            sum[m] += (b[m] + cell.inflow(m)) - cell.diagonal(m) * x[m];
+    PASTOSO_LANE_MEMBER void operator()(const Cells& cells, int m) const {
+        lanes::store(sum + m, load(sum + m) +
+                                  ((load(b + m) + cells.inflow(m)) - cells.diagonal(m) * load(x + m)));
     }
 };
 /// Takes A x away from r.
 struct ImageTaken {
     const float* x;
     float* r;
+    LaneSum& squares;
     template <class Cells>
-    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
-#pragma GCC ivdep
-        for (int m = begin; m < end; ++m)
-            r[m] = (r[m] + cell.inflow(m)) - cell.diagonal(m) * x[m];
+    PASTOSO_LANE_MEMBER void operator()(const Cells& cells, int m) const {
+        const Group left = (load(r + m) + cells.inflow(m)) - cells.diagonal(m) * load(x + m);
+        lanes::store(r + m, left);
+        squares.add(left * left);
     }
 };
-/// Without a direction before it.
-struct FirstTurn {
-    const float* z;
-    float *direction, *image;
-    template <class Cells>
-    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
-#pragma GCC ivdep
-        for (int m = begin; m < end; ++m) {
-            direction[m] = z[m];
-            image[m] = cell.diagonal(m) * z[m] - cell.inflow(m);
-        }
-    }
-};
-struct LastTurn {
+/// The direction of one colour and its image; `beta` of those before, which count for nothing if it is
+/// the first.
+struct Turn {
     const float* z;
     float *direction, *image;
     float beta;
+    LaneSum &products, &images;
+
+    PASTOSO_LANE_MEMBER void turn(Group image_of_z, int m) const {
+        const bool is_first = beta == 0.0F;
+        const Group along = is_first ? load(z + m) : load(z + m) + Group(beta) * load(direction + m),
+                    seen = is_first ? image_of_z : image_of_z + Group(beta) * load(image + m);
+        lanes::store(direction + m, along);
+        lanes::store(image + m, seen);
+        products.add(along * seen);
+        images.add(seen);
+    }
     template <class Cells>
-    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
-#pragma GCC ivdep
-        for (int m = begin; m < end; ++m) {
-            direction[m] = z[m] + beta * direction[m];
-            image[m] = (cell.diagonal(m) * z[m] - cell.inflow(m)) + beta * image[m];
-        }
+    PASTOSO_LANE_MEMBER void operator()(const Cells& cells, int m) const {
+        turn(cells.diagonal(m) * load(z + m) - cells.inflow(m), m);
     }
 };
 struct Advance {
     const float *direction, *image;
     float *solution, *residual;
     float alpha, mean;
+    LaneSum& squares;
     template <class Cells>
-    [[gnu::always_inline]] void operator()(const Cells& cell, int begin, int end) const {
-#pragma GCC ivdep
-        for (int m = begin; m < end; ++m) {
-            solution[m] += alpha * direction[m];
-            residual[m] -= alpha * (cell.inverse(m) > 0.0F ? image[m] - mean : 0.0F);
-        }
+    PASTOSO_LANE_MEMBER void operator()(const Cells& cells, int m) const {
+        const Group zero(0.0F), step(alpha);
+        lanes::store(solution + m, load(solution + m) + step * load(direction + m));
+        const Group left =
+            load(residual + m) -
+            step * lanes::select(cells.inverse(m) > zero, load(image + m) - Group(mean), zero);
+        lanes::store(residual + m, left);
+        squares.add(left * left);
     }
 };
 
-[[gnu::always_inline]] inline void relax_row(const LevelView& level, const Row& row, int colour) {
-    for_parts(level, row, colour, level.value,
-              Relaxation{level.value.colour[colour] + row.at, level.source.colour[colour] + row.at});
+PASTOSO_LANE_FUNCTION void relax_row(const LevelView& level, const Row& row, int colour) {
+    for_groups(level, row, colour, level.value,
+               Relaxation{level.value.colour[colour] + row.at, level.source.colour[colour] + row.at});
 }
 
 }  // namespace
@@ -218,9 +232,9 @@ struct Advance {
 void relax_from_zero(const LevelView& level, int k) {
     for (int j = 0; j < level.extent.ny; ++j) {
         const Row row = row_of(level, kFirstColour, j, k);
-        for_parts(level, row, kFirstColour, level.value,
-                  FromZero{level.value.colour[kFirstColour] + row.at,
-                           level.source.colour[kFirstColour] + row.at});
+        for_groups(level, row, kFirstColour, level.value,
+                   FromZero{level.value.colour[kFirstColour] + row.at,
+                            level.source.colour[kFirstColour] + row.at});
     }
 }
 
@@ -251,9 +265,9 @@ void restrict_residual(const LevelView& fine, const LevelView& coarse, int coars
         for (int k = 2 * coarse_k; k < 2 * coarse_k + 2 && k < fine.extent.nz; ++k)
             for (int j = 2 * coarse_j; j < 2 * coarse_j + 2 && j < fine.extent.ny; ++j) {
                 const Row row = row_of(fine, kFirstColour, j, k);
-                for_parts(fine, row, kFirstColour, fine.value,
-                          Residual{fine.value.colour[kFirstColour] + row.at,
-                                   fine.source.colour[kFirstColour] + row.at, sum});
+                for_groups(fine, row, kFirstColour, fine.value,
+                           Residual{fine.value.colour[kFirstColour] + row.at,
+                                    fine.source.colour[kFirstColour] + row.at, sum});
             }
         for (int colour = 0; colour < 2; ++colour) {
             const Row row = row_of(coarse, colour, coarse_j, coarse_k);
@@ -293,10 +307,11 @@ double start_residual(const LevelView& level, const ConjugateView& vectors, int 
     for (int j = 0; j < level.extent.ny; ++j)
         for (int colour = 0; colour < 2; ++colour) {
             const Row row = row_of(level, colour, j, k);
-            float* r = level.source.colour[colour] + row.at;
-            for_parts(level, row, colour, vectors.solution,
-                      ImageTaken{vectors.solution.colour[colour] + row.at, r});
-            sum += product(r, r, row.begin, row.end);
+            LaneSum squares;
+            for_groups(level, row, colour, vectors.solution,
+                       ImageTaken{vectors.solution.colour[colour] + row.at,
+                                  level.source.colour[colour] + row.at, squares});
+            sum += squares.total();
         }
     return sum;
 }
@@ -306,28 +321,23 @@ DirectionSums turn_direction(const LevelView& level, const ConjugateView& vector
     for (int j = 0; j < level.extent.ny; ++j)
         for (int colour = kFirstColour; colour <= kLastColour; ++colour) {
             const Row row = row_of(level, colour, j, k);
-            const float* z = level.value.colour[colour] + row.at;
-            float* __restrict direction = vectors.direction.colour[colour] + row.at;
-            float* __restrict image = vectors.image.colour[colour] + row.at;
-            if (colour == kFirstColour && beta == 0.0F) {
+            LaneSum products, images;
+            const Turn turn = {level.value.colour[colour] + row.at,
+                               vectors.direction.colour[colour] + row.at,
+                               vectors.image.colour[colour] + row.at,
+                               beta,
+                               products,
+                               images};
+            if (colour == kFirstColour) {
+                // Just relaxed, it has no residual: the image of z is the source.
                 const float* r = level.source.colour[colour] + row.at;
-                for (int m = row.begin; m < row.end; ++m) {
-                    direction[m] = z[m];
-                    image[m] = r[m];
-                }
-            } else if (beta == 0.0F) {
-                for_parts(level, row, colour, level.value, FirstTurn{z, direction, image});
-            } else if (colour == kFirstColour) {
-                const float* r = level.source.colour[colour] + row.at;
-                for (int m = row.begin; m < row.end; ++m) {
-                    direction[m] = z[m] + beta * direction[m];
-                    image[m] = r[m] + beta * image[m];
-                }
+                for (int m = row.begin; m < row.end; m += kGroup)
+                    turn.turn(load(r + m), m);
             } else {
-                for_parts(level, row, colour, level.value, LastTurn{z, direction, image, beta});
+                for_groups(level, row, colour, level.value, turn);
             }
-            sum.product += product(direction, image, row.begin, row.end);
-            sum.image += total(image, row.begin, row.end);
+            sum.product += products.total();
+            sum.image += images.total();
         }
     return sum;
 }
@@ -337,13 +347,13 @@ double advance(const LevelView& level, const ConjugateView& vectors, float alpha
     for (int j = 0; j < level.extent.ny; ++j)
         for (int colour = 0; colour < 2; ++colour) {
             const Row row = row_of(level, colour, j, k);
-            const float* r = level.source.colour[colour] + row.at;
-            for_parts(
+            LaneSum squares;
+            for_groups(
                 level, row, colour, level.value,
                 Advance{vectors.direction.colour[colour] + row.at, vectors.image.colour[colour] + row.at,
                         vectors.solution.colour[colour] + row.at, level.source.colour[colour] + row.at,
-                        alpha, mean});
-            sum += product(r, r, row.begin, row.end);
+                        alpha, mean, squares});
+            sum += squares.total();
         }
     return sum;
 }
