@@ -8,7 +8,7 @@ namespace pastoso::document {
 
 /// 1: footprints are looked at in the middles of cells. 2: what a cell gets is a mean over it
 /// (brush/resolved_tip.hpp). 3: wet paint on wet paint lies above it (film/cell/lower_stratum.hpp).
-inline constexpr int kArithmetic = 3;
+inline constexpr int kArithmetic = 4;
 
 /// What a painter should know of strokes of an earlier arithmetic, as the end of a sentence on them;
 /// empty for those of the present one.

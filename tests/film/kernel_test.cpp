@@ -75,6 +75,9 @@ FaceNeighbourhood<float> scalar_neighbourhood(const TileScratch& s, const StepCo
                              (b.eta[i + along + across] - b.eta[i + along - across]));
     face.pressure_left = s.pressure[i];
     face.pressure_right = s.pressure[i + along];
+    face.pressure_rise_across = difference_across<float>(
+        [&](std::ptrdiff_t n) { return s.pressure[i + n]; },
+        [&](std::ptrdiff_t n) { return b.thickness[i + n] > step.wet_mm; }, along, across);
     face.curvature = 0.5F * (s.curvature[i] + s.curvature[i + along]);
     face.normal_left = s.normal_x[i] + s.normal_y[i];
     face.normal_right = s.normal_x[i + along] + s.normal_y[i + along];

@@ -43,6 +43,7 @@ PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> explicit_drive(const FaceNeighbourhoo
     const FaceStart<F> start{
         .momentum = face.u - F(step.inertia) * dt * momentum_advection(face, inverse_cell),
         .pressure_gradient = (face.pressure_right - face.pressure_left) * inverse_cell,
+        .gradient_across = kModel.yield ? face.pressure_rise_across * inverse_cell : F(0.0F),
         .along = face.u};
     return face_drive<kModel, FaceScheme::Explicit>(face, step, force, force_across, start);
 }

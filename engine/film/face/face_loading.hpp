@@ -41,6 +41,11 @@ template <FaceModel kModel, class Load>
                                             (load_at(eta + i + s + t) - load_at(eta + i + s - t)));
     face.pressure_left = load_at(&scratch.pressure[i]);
     face.pressure_right = load_at(&scratch.pressure[i + s]);
+    if constexpr (kModel.yield)
+        face.pressure_rise_across = difference_across<Lanes>(
+            [&](std::ptrdiff_t n) { return load_at(&scratch.pressure[i + n]); },
+            [&](std::ptrdiff_t n) { return load_at(&block.thickness[i + n]) > Lanes(step.wet_mm); }, s,
+            t);
     face.curvature = Lanes(0.5F) * (load_at(&scratch.curvature[i]) + load_at(&scratch.curvature[i + s]));
     face.normal_left = load_at(&scratch.normal_x[i]) + load_at(&scratch.normal_y[i]);
     face.normal_right = load_at(&scratch.normal_x[i + s]) + load_at(&scratch.normal_y[i + s]);

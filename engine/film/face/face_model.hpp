@@ -6,6 +6,8 @@
 #include "core/lanes.hpp"
 #include "film/step_constants.hpp"
 
+#include <cstddef>
+
 namespace pastoso::film {
 
 namespace lanes = core::lanes;
@@ -28,6 +30,7 @@ struct FaceNeighbourhood {
     F eta_left2, eta_left, eta_right, eta_right2;  ///< surface height, mm, two cells to each side
     F eta_slope_across;               ///< slope of eta along the face, centred mean of both cells
     F pressure_left, pressure_right;  ///< Pi, mm2/s2
+    F pressure_rise_across;           ///< difference_across() of Pi, mm2/s2; with a yield stress only
     F curvature;                      ///< mean kappa of both cells, 1/mm
     F normal_left, normal_right;      ///< |n_x| + |n_y| of the film's outline, 1..sqrt(2)
     F u, u_back, u_front, u_before,
@@ -36,6 +39,25 @@ struct FaceNeighbourhood {
     F viscosity_left, viscosity_right;  ///< mm2/s; of varied paint only
     F yield_left, yield_right;          ///< tau_y/rho, mm2/s2; of varied paint only
 };
+
+/// How much a value rises from cell to cell along a face: the mean over those of the four steps in the
+/// rows on both sides of it that lie within the film. `value(n)` and `wet(n)` are of the cell n further
+/// than the left one; the right one stands `s` further, the next ones along the face `t`.
+template <class F, class Value, class Wet>
+PASTOSO_LANE_FUNCTION F difference_across(const Value& value, const Wet& wet, std::ptrdiff_t s,
+                                          std::ptrdiff_t t) {
+    const F left = value(0), right = value(s);
+    const F steps[4] = {left - value(-t), value(t) - left, right - value(s - t), value(s + t) - right};
+    const auto wet_left = wet(0), wet_right = wet(s);
+    const decltype(wet(0)) inside[4] = {wet_left && wet(-t), wet_left && wet(t), wet_right && wet(s - t),
+                                        wet_right && wet(s + t)};
+    if (lanes::all((inside[0] && inside[1]) && (inside[2] && inside[3])))
+        return F(0.25F) * ((steps[0] + steps[1]) + (steps[2] + steps[3]));
+    const auto part = [&](int n) { return lanes::select(inside[n], steps[n], F(0.0F)); };
+    const auto count = [&](int n) { return lanes::select(inside[n], F(1.0F), F(0.0F)); };
+    const F counted = (count(0) + count(1)) + (count(2) + count(3));
+    return ((part(0) + part(1)) + (part(2) + part(3))) / lanes::max(counted, F(1.0F));
+}
 
 /// The consistency of the paint at a face. Uniform paint has the step's and stores nothing.
 template <class F, bool kVaried>

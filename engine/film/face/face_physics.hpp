@@ -95,15 +95,6 @@ PASTOSO_LANE_FUNCTION F drive_along(const FaceNeighbourhood<F>& face, const Step
     return drive;
 }
 
-/// The drive along the face, which with drive_along() makes up its magnitude, against which the yield
-/// stress is held: the body force and gravity. Of the capillary gradient only the part along the axis is
-/// known here, so that it does not count.
-template <class F>
-PASTOSO_LANE_FUNCTION F drive_across(const FaceNeighbourhood<F>& face, const StepConstants& step,
-                                     F force_across) {
-    return force_across - F(step.gravity_mm_s2) * face.eta_slope_across;
-}
-
 enum class FaceScheme { Explicit, Large };
 
 /// Where the film's surface leads on through the face. In a large step nothing holds the film's edge
@@ -122,6 +113,7 @@ template <class F>
 struct FaceStart {
     F momentum;           ///< velocity that arrives at the face, mm/s
     F pressure_gradient;  ///< d(Pi)/dx, mm/s2
+    F gradient_across;    ///< the same along the face, within the film; with a yield stress only
     F along;              ///< velocity by which the paint is thinned, mm/s
 };
 
@@ -187,7 +179,7 @@ PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>
     drive.laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
     add_drag(face, step, start.along, drive);
     drive.across = zero;
-    if constexpr (kModel.yield) drive.across = face.v + dt * drive_across(face, step, F(force_across));
+    if constexpr (kModel.yield) drive.across = face.v + dt * (F(force_across) - start.gradient_across);
     return drive;
 }
 
