@@ -77,6 +77,67 @@ TEST_P(InAllDirections, YieldStressKeepsTheSameMarks) {
     }
 }
 
+struct Thinning {
+    double flow_index, viscosity, yield;
+};
+
+/// How far the middle of a drop has run in a third of a second down a canvas tilted towards `angle_deg`,
+/// mm.
+double path_of_drop(double angle_deg, const Thinning& paint, film::Scheme scheme, double frame_s) {
+    constexpr int kSide = 96;
+    constexpr double kCell_mm = 0.25, kForce = 8000, kSeconds = 1.0 / 3.0;
+    const double down_x = std::cos(angle_deg * pi / 180), down_y = std::sin(angle_deg * pi / 180);
+    Bench bench({.width = kSide,
+                 .height = kSide,
+                 .cell_mm = kCell_mm,
+                 .gravity = 5000,
+                 .force_x = kForce * down_x,
+                 .force_y = kForce * down_y,
+                 .viscosity = paint.viscosity,
+                 .tension = 2.5e4,
+                 .yield = paint.yield,
+                 .tan_advancing = 0.5,
+                 .tan_receding = 0.2,
+                 .slip_cells = 0.2,
+                 .flow_index = paint.flow_index,
+                 .full_curvature = true,
+                 .solver = {.scheme = scheme}});
+    bench.fill([](int x, int y) { return blob(x + 0.5, y + 0.5, 40, 40, 20, 1.0); });
+    const auto middle = [&] {
+        double along = 0, volume = 0;
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                along += bench.h(x, y) * (x * down_x + y * down_y);
+                volume += bench.h(x, y);
+            }
+        return along / volume * kCell_mm;
+    };
+    const double start = middle();
+    for (int frame = 0; frame < static_cast<int>(std::lround(kSeconds / frame_s)); ++frame)
+        bench.solver->advance(frame_s);
+    return middle() - start;
+}
+
+class ThinnedDrop : public testing::TestWithParam<Thinning> {};
+
+TEST_P(ThinnedDrop, RunsAsFarInLargeSteps) {
+    const double exact = path_of_drop(27, GetParam(), film::Scheme::Explicit, 1.0 / 60);
+    EXPECT_GT(exact, 0.8);
+    EXPECT_NEAR(path_of_drop(27, GetParam(), film::Scheme::LargeStep, 1.0 / 60) / exact, 1.0, 0.02);
+}
+
+TEST_P(ThinnedDrop, RunsAsFarInEveryDirection) {
+    for (const film::Scheme scheme : {film::Scheme::Explicit, film::Scheme::LargeStep}) {
+        const double along = path_of_drop(0, GetParam(), scheme, 1.0 / 60);
+        for (const double angle : {27.0, 45.0})
+            EXPECT_NEAR(path_of_drop(angle, GetParam(), scheme, 1.0 / 60) / along, 1.0, 0.01)
+                << angle << " degrees, scheme " << static_cast<int>(scheme);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Laws, ThinnedDrop,
+                         testing::Values(Thinning{0.6, 500, 0}, Thinning{0.35, 1200, 0},
+                                         Thinning{0.6, 600, 1700}, Thinning{0.8, 150, 0}));
+
 INSTANTIATE_TEST_SUITE_P(Schemes, InAllDirections, testing::ValuesIn(all_schemes()),
                          [](const auto& scheme) { return scheme.param.name; });
 

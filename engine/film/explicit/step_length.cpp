@@ -10,9 +10,14 @@ namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::max();
 constexpr double kAdvectionCourant = 0.25;
 
-double thinnest_viscosity(double flow_index) {
+/// What a film's viscosity is, over that at a shear rate of 1/s, where the wall is sheared so fast.
+double thinned_viscosity(double flow_index, double shear_per_s) {
     if (flow_index == 1.0) return 1.0;
-    return (2.0 * flow_index + 1.0) / (3.0 * flow_index) * std::pow(kFastestShear, flow_index - 1.0);
+    const double rate = std::clamp<double>(shear_per_s, kSlowestShear, kFastestShear);
+    return (2.0 * flow_index + 1.0) / (3.0 * flow_index) * std::pow(rate, flow_index - 1.0);
+}
+double thinnest_viscosity(double flow_index) {
+    return thinned_viscosity(flow_index, kFastestShear);
 }
 
 }  // namespace
@@ -26,7 +31,9 @@ double StepLimits::wave_step_s(double thickness_mm, double drag_rate) const {
 
 double StepLimits::fastest_speed_mm_s(double thickness_mm, double viscosity, double yield_stress) const {
     const double driving = std::max(force_mm_s2 * thickness_mm - yield_stress, 0.0);
-    return driving * thickness_mm / (smallest_drag * viscosity);
+    const double shear_per_s = std::pow(driving / viscosity, 1.0 / flow_index);
+    const double thinned = viscosity * thinned_viscosity(flow_index, shear_per_s);
+    return driving * thickness_mm / (smallest_drag * thinned);
 }
 
 double StepLimits::fastest_speed_mm_s(double thickness_mm) const {

@@ -21,8 +21,9 @@ struct StepLimits {
     /// (l + sqrt(l^2 + 4 w^2)) / w^2 with w^2 = h K (g + sigma/rho K), K = 8/cell^2, drag rate l in 1/s.
     double wave_step_s(double thickness_mm, double drag_rate) const;
     /// Not exceeded by the depth mean of the steady flow that the body force alone drives in a film:
-    ///     max(F h - tau_y/rho, 0) h / (k_d nu),
-    /// what the force beyond the yield stress would make of Newtonian paint.
+    ///     s h / (k_d nu),    s = max(F h - tau_y/rho, 0),
+    /// what the force beyond the yield stress would make of paint without one; shear-thinning paint has
+    /// nu (2n + 1)/(3n) gamma^(n-1) at the wall's shear rate gamma = (s / nu)^(1/n).
     double fastest_speed_mm_s(double thickness_mm) const;
     /// The same for paint whose cells differ, from one's own nu in mm2/s and tau_y/rho in mm2/s2.
     double fastest_speed_mm_s(double thickness_mm, double viscosity, double yield_stress) const;
