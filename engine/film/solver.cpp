@@ -139,7 +139,7 @@ struct Solver::Parts {
     AdvanceReport commit_all(const std::vector<TilePlace>& places, float dt_s,
                              std::vector<TileResult>& results);
     AdvanceReport explicit_step(double dt_s);
-    AdvanceReport large_step(double dt_s, int halvings = 0);
+    AdvanceReport large_step(double dt_s, bool unhurried, int halvings = 0);
     /// False when it was cancelled before the time had passed. step_group() is for the tiles that
     /// take part.
     bool step_group(double seconds, const std::function<bool()>& cancelled, AdvanceReport& report);
@@ -254,15 +254,23 @@ AdvanceReport Solver::Parts::explicit_step(double dt_s) {
     return commit_all(places, step.dt_s, results);
 }
 
-AdvanceReport Solver::Parts::large_step(double dt_s, int halvings) {
+AdvanceReport Solver::Parts::large_step(double dt_s, bool unhurried, int halvings) {
     const std::vector<TilePlace> places = places_to_step();
-    const StepConstants step = constants_of(dt_s);
+    StepConstants step = constants_of(dt_s);
+    step.unhurried = unhurried;
     LargeStepReport solved;
     std::vector<TileResult> results =
         large.step(state, places, step, pool, scratch, halvings == kMostHalvings, solved);
-    if (results.empty() && !places.empty()) {
-        AdvanceReport report = large_step(0.5 * dt_s, halvings + 1);
-        report.add(large_step(0.5 * dt_s, halvings + 1));
+    const auto too_far = [&] {
+        return step.unhurried &&
+               std::any_of(results.begin(), results.end(), [&](const TileResult& result) {
+                   return went_too_far(dt_s, result.extremes.speed_mm_s, state.cell_mm);
+               });
+    };
+    const bool is_usable = !results.empty() && (halvings == kMostHalvings || !too_far());
+    if (!is_usable && !places.empty()) {
+        AdvanceReport report = large_step(0.5 * dt_s, unhurried, halvings + 1);
+        report.add(large_step(0.5 * dt_s, unhurried, halvings + 1));
         ++report.rejected_steps;
         return report;
     }
@@ -287,7 +295,8 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& canc
         // A remainder of one part in a million is rounding, not a step of its own.
         const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));
         const double dt_s = remaining / steps_left;
-        report.add(next.large ? large_step(dt_s) : explicit_step(dt_s));
+        const bool unhurried = options.fixed_step_s == 0.0 && is_unhurried(dt_s, options);
+        report.add(next.large ? large_step(dt_s, unhurried) : explicit_step(dt_s));
         remaining = steps_left > 1.0 ? remaining - dt_s : 0.0;
     }
     return true;
@@ -404,7 +413,7 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
 AdvanceReport Solver::step(double dt_s) {
     const bool large = parts_->options.scheme == Scheme::LargeStep;
     parts_->activity.step_all();
-    const AdvanceReport report = large ? parts_->large_step(dt_s) : parts_->explicit_step(dt_s);
+    const AdvanceReport report = large ? parts_->large_step(dt_s, false) : parts_->explicit_step(dt_s);
     recover(parts_->state, dt_s, parts_->medium.recovery_s, parts_->pool);
     return report;
 }

@@ -41,6 +41,7 @@ struct StepConstants {
     float inertia = 1.0F;  ///< 1 with advection of momentum, 0 without
     float lateral = 1.0F;  ///< 1 with viscosity between neighbouring columns, 0 without
     bool full_curvature = true;
+    bool unhurried = false;  ///< a large step that is long because the paint hardly moves
 
     bool has_contact_angle() const { return tan_advancing > 0.0F; }
     bool has_yield() const { return yield > 0.0F; }

@@ -19,6 +19,13 @@ constexpr double kStepSafety = 0.7;
 /// one cell paint would leave its pigment behind.
 constexpr double kCourant = 0.2, kBlownCourant = 1.0;
 
+/// How far paint goes in an unhurried step, in cells.
+constexpr double kUnhurriedCourant = 0.08;
+constexpr double kTick_s = 1.0 / 60.0;
+
+/// Of a quotient of times: what is longer by less is not.
+constexpr double kRounding = 1e-6;
+
 /// How much faster paint that is blown on may be after a step than before it. What stands against the
 /// air, weight and tension, is not in the push: by the push alone a heap that it holds up would race.
 constexpr double kQuickening = 2.0, kGust_mm_s = 200.0;
@@ -141,12 +148,30 @@ double fastest_blown_speed_mm_s(const PlannedFilm& film) {
     });
 }
 
-double large_step_s(const PlannedFilm& film, double seconds) {
+/// How long a step may be, however fast the paint in it settles.
+double hurried_step_s(const SolverOptions& options) {
+    return std::max(kTick_s, options.longest_wait_s);
+}
+
+/// The same by the speeds of the step before, where they are known.
+double unhurried_step_s(const PlannedFilm& film, double hurried_s) {
+    double speed_mm_s = 0.0;
+    for (const int tile : film.activity.stepping_tiles()) {
+        const TileActivity& flow = film.activity.tile(tile);
+        if (!flow.measured || flow.changed_from_outside) return hurried_s;
+        speed_mm_s = std::max(speed_mm_s, static_cast<double>(flow.extremes.speed_mm_s));
+    }
+    return std::max(hurried_s, kUnhurriedCourant * film.state.cell_mm / (speed_mm_s + 1e-30));
+}
+
+double large_step_s(const PlannedFilm& film, const SolverOptions& options, double seconds) {
     const double cell_mm = film.state.cell_mm;
     const double own_per_s = fastest_speed_mm_s(film) / (kCourant * cell_mm);
     const double blown_per_s = fastest_blown_speed_mm_s(film) / (kBlownCourant * cell_mm);
     const double steps_per_s = std::max(own_per_s, std::min(blown_per_s, kMostBlownSteps_per_s));
-    return seconds / std::max(1.0, std::ceil(seconds * steps_per_s));
+    const double longest_s =
+        std::min(unhurried_step_s(film, hurried_step_s(options)), 1.0 / (steps_per_s + 1e-30));
+    return seconds / std::max(1.0, std::ceil(seconds / longest_s - kRounding));
 }
 
 double stable_step_s(const PlannedFilm& film) {
@@ -161,12 +186,20 @@ double stable_step_s(const PlannedFilm& film) {
 
 }  // namespace
 
+bool is_unhurried(double dt_s, const SolverOptions& options) {
+    return dt_s > hurried_step_s(options) * (1.0 + kRounding);
+}
+
+bool went_too_far(double dt_s, double speed_mm_s, double cell_mm) {
+    return speed_mm_s * dt_s > 2.0 * kUnhurriedCourant * cell_mm;
+}
+
 StepPlan plan_step(const PlannedFilm& film, const SolverOptions& options, double seconds) {
     if (options.fixed_step_s > 0.0) return {options.fixed_step_s, options.scheme == Scheme::LargeStep};
-    if (options.scheme == Scheme::LargeStep) return {large_step_s(film, seconds), true};
+    if (options.scheme == Scheme::LargeStep) return {large_step_s(film, options, seconds), true};
     const double explicit_s = stable_step_s(film);
     if (options.scheme == Scheme::Explicit) return {explicit_s, false};
-    const double large_s = large_step_s(film, seconds);
+    const double large_s = large_step_s(film, options, seconds);
     return large_s > kLargeStepCost * explicit_s ? StepPlan{large_s, true} : StepPlan{explicit_s, false};
 }
 

@@ -32,4 +32,12 @@ struct StepPlan {
 /// a fifth of a cell and the air about one cell; the waves may be of any speed.
 StepPlan plan_step(const PlannedFilm& film, const SolverOptions& options, double seconds);
 
+/// A large step longer than a tick of 60 a second, and than paint may wait, is for paint that hardly
+/// moves: it is planned by the speeds of the step before, and solved closely.
+bool is_unhurried(double dt_s, const SolverOptions& options);
+
+/// Whether an unhurried step has moved paint so much farther than planned, at this largest speed, that
+/// it has to be done again in halves.
+bool went_too_far(double dt_s, double speed_mm_s, double cell_mm);
+
 }  // namespace pastoso::film

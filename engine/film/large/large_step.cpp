@@ -15,12 +15,12 @@ using grid::kTileSize;
 /// A relative error of flux that is not worth another pass with refined drag.
 constexpr float kSteadyFlux = 0.01F;
 constexpr int kMostRefinements = 6;
-/// The same where paint is inertial: an error stays in it as energy.
-constexpr float kSteadyInertialFlux = 0.005F;
-constexpr int kMostInertialRefinements = 40;
+/// The same where paint is solved closely.
+constexpr float kSteadyCloseFlux = 0.005F;
+constexpr int kMostCloseRefinements = 40;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
-constexpr float kInertialTolerance = 0.0005F;
+constexpr float kCloseTolerance = 0.0005F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
 constexpr float kSweepGain = 0.1F;
 constexpr int kMostSweeps = 12;
@@ -38,15 +38,6 @@ Shortage total(const std::vector<Shortage>& shortages) {
         sum.thick_cells += shortage.thick_cells;
     }
     return sum;
-}
-
-float tolerance_of(const LargeTile& tile) {
-    return tile.inertial ? kInertialTolerance : kTolerance;
-}
-
-/// Whether the sweep that found a tile's error has brought it below what is allowed.
-bool is_close(const LargeTile& tile) {
-    return tile.state.error() * kSweepGain <= tolerance_of(tile);
 }
 
 struct CellRange {
@@ -166,6 +157,17 @@ struct LargeStepper::Pass {
         if (!chosen.empty()) backwards = !backwards;
     }
     LargeTile& tile_of(const TilePlace& place) const { return *stepper.tiles_[place.tile]; }
+
+    /// Where an error stays: in inertial paint as energy, and in a long step as much as a short one
+    /// makes in the time of many.
+    bool is_solved_closely(const LargeTile& tile) const { return tile.inertial || constants.unhurried; }
+    float tolerance_of(const LargeTile& tile) const {
+        return is_solved_closely(tile) ? kCloseTolerance : kTolerance;
+    }
+    /// Whether the sweep that found a tile's error has brought it below what is allowed.
+    bool is_close(const LargeTile& tile) const {
+        return tile.state.error() * kSweepGain <= tolerance_of(tile);
+    }
 
     const Windows& columns(const TilePlace& place) const { return stepper.columns_[place.tile_x]; }
     const Windows& rows(const TilePlace& place) const {
@@ -359,8 +361,8 @@ bool LargeStepper::Pass::refine_all(int pass) {
     bool changes = false;
     for (const TilePlace* place : unsteady) {
         LargeTile& tile = tile_of(*place);
-        const bool closely = tile.inertial && !constants.is_shear_thinning();
-        if (tile.flux_error <= (closely ? kSteadyInertialFlux : kSteadyFlux)) continue;
+        const bool closely = is_solved_closely(tile) && !constants.is_shear_thinning();
+        if (tile.flux_error <= (closely ? kSteadyCloseFlux : kSteadyFlux)) continue;
         changes = true;
         if (!closely && pass + 1 >= kMostRefinements) continue;
         tile.state.unsettle_drag();
@@ -522,7 +524,7 @@ void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
 void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
     solve(true, report);
     if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
-    for (int pass = 0; pass < kMostInertialRefinements && refine_all(pass); ++pass)
+    for (int pass = 0; pass < kMostCloseRefinements && refine_all(pass); ++pass)
         solve(false, report);
 }
 
