@@ -37,7 +37,7 @@ int sweeps_of_thick_noise(std::uint32_t seed, Edge edge_x) {
     Bench bench(scene);
     std::mt19937 random(seed);
     bench.fill([&](int, int) { return 5.0 * std::uniform_real_distribution<double>()(random); });
-    const AdvanceReport report = bench.solver->advance(0.8);
+    const AdvanceReport report = bench.solver->step(0.8);
     EXPECT_EQ(report.rejected_steps, 0);
     EXPECT_LE(bench.max_h(), 8.0);
     EXPECT_LE(report.largest_speed_mm_s, 10.0);

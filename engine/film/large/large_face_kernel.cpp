@@ -109,17 +109,11 @@ struct LargeFaceRow {
                 (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
             const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
             const auto shut = load(&faces.drag[f]) < Lanes(0.0F) && load(&faces.depth[f]) == Lanes(0.0F);
-            drive_faces(face, {load(&carried[f]), gradient, gradient_across(x), along}, f);
+            const Lanes across = Lanes(step.gravity_mm_s2) * face.eta_slope_across;
+            drive_faces(face, {load(&carried[f]), gradient, across, along}, f);
             // What is shut stays so when it is assembled again.
             if (thinned && lanes::any(shut)) put_explicit(shut, Lanes(0.0F), Lanes(0.0F), f);
         });
-    }
-
-    [[gnu::always_inline]] Lanes gradient_across(int x) const {
-        if constexpr (!kModel.yield) return Lanes(0.0F);
-        const int first = block_index(0, y);
-        const PressureRow row{lag + first, &scratch.block.quanta[first], axis.along, axis.across};
-        return row.rise_across(step, x) * Lanes(step.inverse_cell);
     }
 
     /// Stores depth, drag and what drives a group of faces; where some are explicit, their flow as well.
@@ -135,7 +129,7 @@ struct LargeFaceRow {
         if constexpr (kModel.yield) {
             resistance = drive.paint.over_yield_in_step(Lanes(drag * drive.drag_thickness), step);
             yield_speed = Lanes(1.0F) / (resistance + Lanes(1e-30F));
-            store(&faces.across[f], Lanes(face.v + dt * Lanes(axis.force_across)));
+            store(&faces.across[f], drive.across);
             store(&faces.resistance[f], resistance);
         }
         Lanes followed(0.0F);
@@ -187,10 +181,9 @@ struct LargeFaceRow {
     float assemble(bool again) const {
         carry();
         drive(again);
+        const float* pressure = lag + block_index(0, y);
         const auto answer = again ? answer_row<kModel.yield, true> : answer_row<kModel.yield, false>;
-        const int first = block_index(0, y);
-        return answer(step, {lag + first, &scratch.block.quanta[first], axis.along, axis.across},
-                      first_x, y, faces);
+        return answer(step, pressure, axis.along, first_x, y, faces);
     }
 };
 

@@ -20,7 +20,7 @@ constexpr float kSteadyCloseFlux = 0.005F;
 constexpr int kMostCloseRefinements = 40;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
-constexpr float kCloseTolerance = 0.0005F;
+constexpr float kCloseTolerance = 0.001F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
 constexpr float kSweepGain = 0.1F;
 constexpr int kMostSweeps = 12;
@@ -207,13 +207,6 @@ struct LargeStepper::Pass {
             return state.thickness.read(tile_y * state.shape.tiles_x() + tile_x) + y * kTileSize;
         };
     }
-    /// None of those that do not take part, whose pressure nobody knows.
-    auto partners_thickness() const {
-        return [this](int tile_x, int tile_y, int y) -> const std::int32_t* {
-            if (partner(tile_x, tile_y) == nullptr) return nullptr;
-            return thickness_rows()(tile_x, tile_y, y);
-        };
-    }
     auto faces(LargeFaces LargeTile::*direction, FaceArray<float> LargeFaces::*field) const {
         return [this, direction, field](int tile_x, int tile_y, int y) -> const float* {
             const LargeTile* tile = partner(tile_x, tile_y);
@@ -284,11 +277,7 @@ float LargeStepper::Pass::assemble(const TilePlace& place, bool again, LargeTile
 /// Takes a tile's drag from the pressure found. Returns by what part a flux was wrong.
 float LargeStepper::Pass::refine(const TilePlace& place, LargeTile& tile, LargeScratch& large,
                                  WorkerScratch& worker) const {
-    if (!constants.is_shear_thinning()) {
-        if (constants.has_yield() || constants.varied)
-            gather_next(place, partners_thickness(), large.thickness);
-        return kernels.refine(constants, large, tile);
-    }
+    if (!constants.is_shear_thinning()) return kernels.refine(constants, large, tile);
     kernels.velocities(constants, false, large, tile);
     return assemble(place, true, tile, large, worker);
 }

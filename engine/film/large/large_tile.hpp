@@ -43,7 +43,7 @@ inline constexpr std::int32_t kCrowded_quanta = kMaxThickness_quanta / 8;
 struct LargeFaces {
     alignas(64) FaceArray<float> old;         ///< velocity before the step, mm/s
     alignas(64) FaceArray<float> driven;      ///< with inertia and forces, but for drag and new pressure
-    alignas(64) FaceArray<float> across;      ///< the same along the face
+    alignas(64) FaceArray<float> across;      ///< velocity along the face, but for drag
     alignas(64) FaceArray<float> drag;        ///< lambda dt; negative at faces that are explicit
     alignas(64) FaceArray<float> resistance;  ///< wall stress in yield stresses per velocity, s/mm; 0
                                               ///< without a yield stress
