@@ -31,9 +31,9 @@ double StepLimits::wave_step_s(double thickness_mm, double drag_rate) const {
 
 double StepLimits::fastest_speed_mm_s(double thickness_mm, double viscosity, double yield_stress) const {
     const double driving = std::max(force_mm_s2 * thickness_mm - yield_stress, 0.0);
-    const double shear_per_s = std::pow(driving / viscosity, 1.0 / flow_index);
-    const double thinned = viscosity * thinned_viscosity(flow_index, shear_per_s);
-    return driving * thickness_mm / (smallest_drag * thinned);
+    const double newtonian = driving * thickness_mm / (smallest_drag * viscosity);
+    if (flow_index == 1.0) return newtonian;
+    return newtonian / thinned_viscosity(flow_index, std::pow(driving / viscosity, 1.0 / flow_index));
 }
 
 double StepLimits::fastest_speed_mm_s(double thickness_mm) const {

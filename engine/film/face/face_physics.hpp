@@ -113,7 +113,8 @@ template <class F>
 struct FaceStart {
     F momentum;           ///< velocity that arrives at the face, mm/s
     F pressure_gradient;  ///< d(Pi)/dx, mm/s2
-    F gradient_across;    ///< the same along the face, within the film; with a yield stress only
+    F gradient_across;    ///< the same along the face, as far as the scheme knows it; with a yield
+                          ///< stress only
     F along;              ///< velocity by which the paint is thinned, mm/s
 };
 
