@@ -269,8 +269,10 @@ AdvanceReport Solver::Parts::large_step(double dt_s, bool unhurried, int halving
     };
     const bool is_usable = !results.empty() && (halvings == kMostHalvings || !too_far());
     if (!is_usable && !places.empty()) {
-        AdvanceReport report = large_step(0.5 * dt_s, unhurried, halvings + 1);
-        report.add(large_step(0.5 * dt_s, unhurried, halvings + 1));
+        const double half_s = 0.5 * dt_s;
+        const bool still_unhurried = unhurried && is_unhurried(half_s, options);
+        AdvanceReport report = large_step(half_s, still_unhurried, halvings + 1);
+        report.add(large_step(half_s, still_unhurried, halvings + 1));
         ++report.rejected_steps;
         return report;
     }

@@ -58,6 +58,16 @@ void fill_randomly(std::uint32_t seed, HaloBlock& block, float largest_mm = 0.8F
     block.last_wet_row = kTileSize + kHalo - 1;
 }
 
+CellEnd<float> scalar_end(const FilmEnds& ends, int i, int along) {
+    const bool along_x = along == 1;
+    return {.contact_slope = ends.contact_slope[i],
+            .slope = ends.slope[i],
+            .reach_mm = ends.reach_mm[i],
+            .depth_mm = along_x ? ends.depth_x_mm[i] : ends.depth_y_mm[i],
+            .over_mm = along_x ? ends.over_x_mm[i] : ends.over_y_mm[i],
+            .normal_along = along_x ? ends.normal_x[i] : ends.normal_y[i]};
+}
+
 FaceNeighbourhood<float> scalar_neighbourhood(const TileScratch& s, const StepConstants& step, int i,
                                               int along, int across, const float* u, const float* v) {
     const HaloBlock& b = s.block;
@@ -79,8 +89,8 @@ FaceNeighbourhood<float> scalar_neighbourhood(const TileScratch& s, const StepCo
         [&](std::ptrdiff_t n) { return s.pressure[i + n]; },
         [&](std::ptrdiff_t n) { return b.thickness[i + n] > step.wet_mm; }, along, across);
     face.curvature = 0.5F * (s.curvature[i] + s.curvature[i + along]);
-    face.normal_left = s.normal_x[i] + s.normal_y[i];
-    face.normal_right = s.normal_x[i + along] + s.normal_y[i + along];
+    face.end_left = scalar_end(s.ends, i, along);
+    face.end_right = scalar_end(s.ends, i + along, along);
     face.u = u[i];
     face.u_back = u[i - along];
     face.u_front = u[i + along];

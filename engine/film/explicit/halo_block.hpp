@@ -10,8 +10,8 @@
 
 namespace pastoso::film {
 
-/// Cells of margin: a face looks two cells to each side, the outline's normals one further.
-inline constexpr int kHalo = 3;
+/// Cells of margin: a face looks two cells to each side, where the film ends two further.
+inline constexpr int kHalo = 4;
 inline constexpr int kBlockRows = grid::kTileSize + 2 * kHalo;
 inline constexpr int kBlockStride = 80;
 inline constexpr int kBlockCells = kBlockRows * kBlockStride;

@@ -1,5 +1,6 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
 #include "film/explicit/tile_kernels.hpp"
+#include "film/face/film_end.hpp"
 #include "film/face/lane_groups.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
@@ -7,43 +8,33 @@ namespace {
 
 using grid::kTileSize;
 
-/// Whether the cells and their four neighbours are all wet: then none of them has a contact line.
+/// Whether the cells and all around them are wet: then the film ends in none of them.
 [[gnu::always_inline]] inline bool inside_film(const float* h, Lanes wet) {
-    const Lanes beside = lanes::min(load(h - 1), load(h + 1));
-    const Lanes above_below = lanes::min(load(h - kBlockStride), load(h + kBlockStride));
-    return lanes::all(lanes::min(load(h), lanes::min(beside, above_below)) > wet);
+    const auto thinnest = [](const float* row) {
+        return lanes::min(lanes::min(load(row - 1), load(row + 1)), load(row));
+    };
+    return lanes::all(lanes::min(lanes::min(thinnest(h - kBlockStride), thinnest(h + kBlockStride)),
+                                 thinnest(h)) > wet);
 }
 
-/// |n_x| and |n_y| of the outline's normal by a 3 x 3 Sobel filter of the thickness: the contact angle
-/// then acts alike in every direction. Inside the film, where nobody asks for them, they are left out.
-void outline_normals(const HaloBlock& block, float wet_mm, int y, TileScratch& scratch) {
-    const float* h = block.thickness.data();
+void find_ends(const StepConstants& step, int y, const HaloBlock& block, FilmEnds& ends) {
+    const float* thickness = block.thickness.data();
     for_each_lane_group(-2, kTileSize + 2, [&](int x) {
         const int i = block_index(x, y);
-        if (inside_film(h + i, Lanes(wet_mm))) return;
-        const int above = i - kBlockStride, below = i + kBlockStride;
-        const Lanes two(2.0F);
-        const Lanes gradient_x =
-            two * (load(h + i + 1) - load(h + i - 1)) +
-            ((load(h + above + 1) - load(h + above - 1)) + (load(h + below + 1) - load(h + below - 1)));
-        const Lanes gradient_y =
-            two * (load(h + below) - load(h + above)) +
-            ((load(h + below + 1) - load(h + above + 1)) + (load(h + below - 1) - load(h + above - 1)));
-        const Lanes norm2 = gradient_x * gradient_x + gradient_y * gradient_y;
-        const Lanes inverse = Lanes(1.0F) / lanes::sqrt(norm2 + Lanes(1e-20F));
-        const auto defined = norm2 > Lanes(1e-14F);
-        store(&scratch.normal_x[i],
-              lanes::select(defined, lanes::abs(Lanes(gradient_x * inverse)), Lanes(1.0F)));
-        store(&scratch.normal_y[i],
-              lanes::select(defined, lanes::abs(Lanes(gradient_y * inverse)), Lanes(1.0F)));
+        const float* h = thickness + i;
+        if (inside_film(h, Lanes(step.wet_mm))) return store(&ends.slope[i], Lanes(0.0F));
+        const FilmEnd<Lanes> end = film_end<Lanes>(
+            [h](int right, int below) { return load(h + below * kBlockStride + right); }, step);
+        store(&ends.normal_x[i], end.normal_x);
+        store(&ends.normal_y[i], end.normal_y);
+        store(&ends.contact_slope[i], end.contact_slope);
+        store(&ends.slope[i], end.slope);
+        store(&ends.reach_mm[i], end.reach_mm);
+        store(&ends.depth_x_mm[i], end.depth_x_mm);
+        store(&ends.depth_y_mm[i], end.depth_y_mm);
+        store(&ends.over_x_mm[i], end.over_x_mm);
+        store(&ends.over_y_mm[i], end.over_y_mm);
     });
-}
-
-/// The slope at which a film of thickness h meets dry support: that of the wedge it forms in its cell,
-/// within the receding and advancing angles.
-Lanes contact_slope(Lanes h, Lanes normal_sum, const StepConstants& step) {
-    return lanes::clamp(Lanes(Lanes(2.0F * step.inverse_cell) * h / (normal_sum + Lanes(1e-9F))),
-                        Lanes(step.tan_receding), Lanes(step.tan_advancing));
 }
 
 /// sin of the slope angle for a slope given as a tangent, or the tangent itself for small slopes.
@@ -53,14 +44,36 @@ Lanes bent(Lanes slope, Lanes slope_across) {
     return slope / lanes::sqrt(Lanes(Lanes(1.0F) + slope * slope + slope_across * slope_across));
 }
 
-/// The slope at faces along one axis (`axis` and `across` are index strides), the contact angle's where
-/// the film ends.
+/// The surface's slope where the film ends in cell i: at its dry side, where the contact angles bound
+/// it, and at the side of the film.
+template <bool kFullCurvature>
+struct EndSlope {
+    const FilmEnds& ends;
+    const StepConstants& step;
+    const float* normal_along;
+
+    Lanes at_dry(int i) const {
+        return along(i, lanes::clamp(load(&ends.contact_slope[i]), Lanes(step.tan_receding),
+                                     Lanes(step.tan_advancing)));
+    }
+    Lanes at_film(int i) const { return along(i, load(&ends.slope[i])); }
+
+  private:
+    Lanes along(int i, Lanes slope) const {
+        return bent<kFullCurvature>(slope, Lanes(0.0F)) * load(normal_along + i);
+    }
+};
+
+/// The slope at faces along one axis (`axis` and `across` are index strides), where the film ends that
+/// of its end.
 template <bool kFullCurvature>
 void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, int axis, int across,
                  const float* normal_along, float* slopes) {
     const HaloBlock& block = scratch.block;
     const float* h = block.thickness.data();
     const float* eta = block.eta.data();
+    const float* end_slope = scratch.ends.slope.data();
+    const EndSlope<kFullCurvature> end{scratch.ends, step, normal_along};
     const Lanes wet(step.wet_mm), inverse_cell(step.inverse_cell), zero(0.0F);
     for_each_lane_group(-2, kTileSize + 1, [&](int x) {
         const int left = block_index(x, y), right = left + axis;
@@ -70,17 +83,19 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
                                    ((load(eta + left + across) - load(eta + left - across)) +
                                     (load(eta + right + across) - load(eta + right - across)));
         Lanes result = bent<kFullCurvature>(slope, slope_across);
-        const auto wet_left = h_left > wet, wet_right = h_right > wet;
-        if (step.has_contact_angle() && !lanes::all(wet_left && wet_right)) {
-            const Lanes sum_left = load(&scratch.normal_x[left]) + load(&scratch.normal_y[left]);
-            const Lanes sum_right = load(&scratch.normal_x[right]) + load(&scratch.normal_y[right]);
-            const Lanes falls = bent<kFullCurvature>(contact_slope(h_left, sum_left, step), zero) *
-                                load(normal_along + left);
-            const Lanes rises = bent<kFullCurvature>(contact_slope(h_right, sum_right, step), zero) *
-                                load(normal_along + right);
-            const Lanes edge =
-                lanes::select(wet_left, Lanes(-falls), lanes::select(wet_right, rises, zero));
-            result = lanes::select(wet_left && wet_right, result, edge);
+        if (!step.has_contact_angle()) return store(slopes + left, result);
+        const auto wet_left = h_left > wet, wet_right = h_right > wet, both = wet_left && wet_right;
+        if (!lanes::all(both)) {
+            const Lanes edge = lanes::select(wet_left, Lanes(-end.at_dry(left)),
+                                             lanes::select(wet_right, end.at_dry(right), zero));
+            result = lanes::select(both, result, edge);
+        }
+        const auto ends_left = both && load(end_slope + left) != zero && h_left < h_right;
+        const auto ends_right = both && load(end_slope + right) != zero && h_right < h_left;
+        if (lanes::any(ends_left || ends_right)) {
+            const Lanes within =
+                lanes::select(ends_right, Lanes(-end.at_film(right)), end.at_film(left));
+            result = lanes::select(ends_left || ends_right, within, result);
         }
         store(slopes + left, result);
     });
@@ -107,12 +122,12 @@ void prepare(const StepConstants& step, TileScratch& scratch) {
     const int last = lanes::min(scratch.block.last_wet_row + 1, kTileSize);
     if (step.has_contact_angle())
         for (int y = first - 1; y <= last + 1; ++y)
-            outline_normals(scratch.block, step.wet_mm, y, scratch);
+            find_ends(step, y, scratch.block, scratch.ends);
     for (int y = first; y <= last; ++y)
-        face_slopes<kFullCurvature>(scratch, step, y, 1, kBlockStride, scratch.normal_x.data(),
+        face_slopes<kFullCurvature>(scratch, step, y, 1, kBlockStride, scratch.ends.normal_x.data(),
                                     scratch.slope_x.data());
     for (int y = first - 1; y <= last; ++y)
-        face_slopes<kFullCurvature>(scratch, step, y, kBlockStride, 1, scratch.normal_y.data(),
+        face_slopes<kFullCurvature>(scratch, step, y, kBlockStride, 1, scratch.ends.normal_y.data(),
                                     scratch.slope_y.data());
     for (int y = first; y <= last; ++y)
         surface_pressure(step, y, scratch);

@@ -22,13 +22,21 @@ constexpr int face_index(int x, int y) {
 template <class T>
 using FaceArray = std::array<T, kFaceCount>;
 
+/// How the film ends in the cells beside dry ones; see FilmEnd. In the middle of the film only `slope`,
+/// 0 there, means something.
+struct FilmEnds {
+    alignas(64) BlockArray<float> normal_x, normal_y;  ///< |n| components of the film's outline
+    alignas(64) BlockArray<float> contact_slope, slope, reach_mm, depth_x_mm,
+        depth_y_mm, over_x_mm, over_y_mm;
+};
+
 /// What one thread needs to step a tile; reused from tile to tile.
 struct TileScratch {
     HaloBlock block;
     bool large_fluxes = false;  ///< fluxes may take more than a quarter of their cell
     /// With large fluxes: what a cell holds over what leaves it in the step.
     alignas(64) BlockArray<float> supply;
-    alignas(64) BlockArray<float> normal_x, normal_y;  ///< |n| components of the film's outline
+    FilmEnds ends;                                     ///< of paint with a contact angle
     alignas(64) BlockArray<float> slope_x, slope_y;    ///< contact-aware surface slopes at the faces
     alignas(64) BlockArray<float> pressure;            ///< Pi, mm2/s2
     alignas(64) BlockArray<float> curvature;           ///< kappa, 1/mm
@@ -65,7 +73,7 @@ struct ClosedFaces {
 struct FlowExtremes {
     float mobility = 0.0F;      ///< largest h du/da, mm s
     float thickness_mm = 0.0F;  ///< of flowing film
-    float speed_mm_s = 0.0F;
+    float speed_mm_s = 0.0F;    ///< at the end of the film, in a large step, by what it fills of a cell
     int clamped_faces = 0;  ///< at the largest speed, or cut to the capacity left
 };
 

@@ -17,6 +17,18 @@ struct Axis {
     float force, force_across;
 };
 
+template <class Load>
+[[gnu::always_inline]] inline CellEnd<Lanes> cell_end(const FilmEnds& ends, const Axis& axis,
+                                                      const Load& load_at, int i) {
+    const bool along_x = axis.along == 1;
+    return {.contact_slope = load_at(&ends.contact_slope[i]),
+            .slope = load_at(&ends.slope[i]),
+            .reach_mm = load_at(&ends.reach_mm[i]),
+            .depth_mm = load_at(along_x ? &ends.depth_x_mm[i] : &ends.depth_y_mm[i]),
+            .over_mm = load_at(along_x ? &ends.over_x_mm[i] : &ends.over_y_mm[i]),
+            .normal_along = load_at(along_x ? &ends.normal_x[i] : &ends.normal_y[i])};
+}
+
 template <FaceModel kModel, class Load>
 [[gnu::always_inline]] inline FaceNeighbourhood<Lanes> neighbourhood(const TileScratch& scratch,
                                                                      const StepConstants& step,
@@ -47,8 +59,8 @@ template <FaceModel kModel, class Load>
             [&](std::ptrdiff_t n) { return load_at(&block.thickness[i + n]) > Lanes(step.wet_mm); }, s,
             t);
     face.curvature = Lanes(0.5F) * (load_at(&scratch.curvature[i]) + load_at(&scratch.curvature[i + s]));
-    face.normal_left = load_at(&scratch.normal_x[i]) + load_at(&scratch.normal_y[i]);
-    face.normal_right = load_at(&scratch.normal_x[i + s]) + load_at(&scratch.normal_y[i + s]);
+    face.end_left = cell_end(scratch.ends, axis, load_at, i);
+    face.end_right = cell_end(scratch.ends, axis, load_at, i + s);
     face.u = load_at(u + i);
     face.u_back = load_at(u + i - s);
     face.u_front = load_at(u + i + s);

@@ -21,6 +21,26 @@ struct FaceModel {
     bool varied = false;  ///< every cell has its own viscosity and yield stress
 };
 
+/// How the film ends in a cell, as far as one of its faces needs to know it; see FilmEnd.
+template <class F>
+struct CellEnd {
+    F contact_slope;  ///< of the surface at the contact line
+    F slope;          ///< the same at the face; 0 where the film fills the cell
+    F reach_mm;       ///< from the film inside to the contact line
+    F depth_mm;       ///< of the film at the face
+    F over_mm;        ///< thickness that may leave through it
+    F normal_along;   ///< |n| along the axis, n the normal of the film's outline
+};
+template <class Mask, class F>
+PASTOSO_LANE_FUNCTION CellEnd<F> select_end(Mask first, const CellEnd<F>& a, const CellEnd<F>& b) {
+    return {lanes::select(first, a.contact_slope, b.contact_slope),
+            lanes::select(first, a.slope, b.slope),
+            lanes::select(first, a.reach_mm, b.reach_mm),
+            lanes::select(first, a.depth_mm, b.depth_mm),
+            lanes::select(first, a.over_mm, b.over_mm),
+            lanes::select(first, a.normal_along, b.normal_along)};
+}
+
 /// What a face needs to know. "left" and "right" are the cells before and behind it along its axis; for
 /// a face of the other direction read "above" and "below".
 template <class F>
@@ -32,7 +52,7 @@ struct FaceNeighbourhood {
     F pressure_left, pressure_right;  ///< Pi, mm2/s2
     F pressure_rise_across;           ///< difference_across() of Pi, mm2/s2; with a yield stress only
     F curvature;                      ///< mean kappa of both cells, 1/mm
-    F normal_left, normal_right;      ///< |n_x| + |n_y| of the film's outline, 1..sqrt(2)
+    CellEnd<F> end_left, end_right;   ///< of paint with a contact angle
     F u, u_back, u_front, u_before,
         u_after;                        ///< old velocity here, one face along the axis, one face across
     F v;                                ///< old velocity along the face, mean of the four around it

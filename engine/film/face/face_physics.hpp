@@ -10,6 +10,7 @@
 #pragma once
 
 #include "film/face/face_drag.hpp"
+#include "film/face/film_end.hpp"
 #include "film/face/shear_thinning.hpp"
 
 namespace pastoso::film {
@@ -43,47 +44,93 @@ PASTOSO_LANE_FUNCTION F horizontal_tension(const FaceNeighbourhood<F>& face, con
     return F(step.horizontal_tension) * face.curvature * slope / thickness;
 }
 
-/// A face between wet and dry: the film's edge. It moves out only when the film is thicker than the
-/// contact angle pins, stands above the dry cell (and the negligible film in it), and is driven
-/// outwards.
+/// Whether the film ends in the face's left (right) cell, as seen from the other one.
+template <class F>
+PASTOSO_LANE_FUNCTION auto ends_left(const FaceNeighbourhood<F>& face) {
+    return face.end_left.slope != F(0.0F) && face.h_left < face.h_right;
+}
+template <class F>
+PASTOSO_LANE_FUNCTION auto ends_right(const FaceNeighbourhood<F>& face) {
+    return face.end_right.slope != F(0.0F) && face.h_right < face.h_left;
+}
+
+/// What moves the film's edge through a face.
 template <class F>
 struct ContactFace {
     F acceleration;  ///< drive, mm/s2, signed along the axis
-    F h_wet;         ///< thickness of the wet cell
-    F pinned_mm;     ///< what the contact angle holds back
-    F sign;          ///< +1 when the wet cell is on the left
+    F dragging_mm;   ///< thickness of the film that drags
+    F passing_mm;    ///< thickness that passes; 0 where the face is shut
 };
+
+/// The drive outwards of an edge whose surface meets the support at `slope` instead of `angle`, mm/s2:
+/// what tension does not balance at the contact line, sigma (slope^2 - angle^2) / 2 a length, moves a
+/// cell of film of that thickness; and the paint's weight.
+template <class F>
+PASTOSO_LANE_FUNCTION F contact_push(F slope, F angle, F normal_along, F thickness, F drop,
+                                     const StepConstants& step) {
+    const F unbalanced = (slope * slope - angle * angle) * normal_along;
+    return F(step.gravity_mm_s2 * step.inverse_cell) * drop +
+           F(0.5F * step.tension * step.inverse_cell) * unbalanced / (thickness + F(1e-30F));
+}
+
+/// A face between wet and dry. It lets through what the wet cell holds over a wedge of the advancing
+/// angle that fills it, if that stands above the dry cell (and the negligible film in it) and is driven
+/// outwards; without a contact angle, all.
+template <class F>
+PASTOSO_LANE_FUNCTION ContactFace<F> edge_of_dry(const FaceNeighbourhood<F>& face,
+                                                 const StepConstants& step, F force) {
+    const F zero(0.0F), one(1.0F), wet_mm(step.wet_mm), angle(step.tan_advancing);
+    const auto wet_left = face.h_left > wet_mm, wet_right = face.h_right > wet_mm;
+    const F sign = lanes::select(wet_left, one, F(-1.0F));
+    const F h_wet = lanes::select(wet_left, face.h_left, face.h_right);
+    const F drop = sign * (face.eta_left - face.eta_right);
+    CellEnd<F> end = select_end(wet_left, face.end_left, face.end_right);
+    if (!step.has_contact_angle()) {
+        end.contact_slope = F(2.0F * step.inverse_cell) * h_wet;
+        end.normal_along = one;
+        end.over_mm = h_wet;
+    }
+    const F dragging_mm = step.has_contact_angle() ? F(0.5F * step.cell_mm) * end.contact_slope : h_wet;
+    const F push = contact_push(lanes::max(end.contact_slope, angle), angle, end.normal_along,
+                                dragging_mm, drop, step);
+    const F acceleration = force + sign * push;
+    const auto open = (wet_left || wet_right) && drop > zero && sign * acceleration > zero;
+    return {acceleration, dragging_mm, lanes::select(open, lanes::min(end.over_mm, h_wet), zero)};
+}
+
+/// A face between the film and the cell that it ends in. The contact line moves out where the surface is
+/// steeper than the advancing angle and back where it is flatter than the receding one, until it is
+/// no more; between them it stands.
+template <class F>
+PASTOSO_LANE_FUNCTION ContactFace<F> edge_within(const FaceNeighbourhood<F>& face,
+                                                 const StepConstants& step, F force) {
+    const F zero(0.0F), one(1.0F), advancing(step.tan_advancing), receding(step.tan_receding);
+    const auto right = ends_right(face);
+    const F sign = lanes::select(right, one, F(-1.0F));
+    const CellEnd<F> end = select_end(right, face.end_right, face.end_left);
+    const F drop =
+        end.slope * end.normal_along * F(step.cell_mm) + sign * (face.support_left - face.support_right);
+    const auto steep = end.contact_slope > advancing, flat = end.contact_slope < receding;
+    const F angle = lanes::select(steep, advancing, receding);
+    const F dragging_mm = F(0.5F * step.cell_mm) * end.contact_slope;
+    const F push = contact_push(end.contact_slope, angle, end.normal_along, dragging_mm, drop, step);
+    const F acceleration = force + sign * push;
+    const F outwards = sign * acceleration;
+    const auto open = (steep && outwards > zero) || (flat && outwards < zero);
+    const F missing_mm = F(kStepsOver) * lanes::abs(F(end.contact_slope - angle)) * end.reach_mm;
+    return {acceleration, dragging_mm, lanes::select(open, lanes::min(end.depth_mm, missing_mm), zero)};
+}
+
 template <class F>
 PASTOSO_LANE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& face,
                                                   const StepConstants& step, F force) {
-    const F zero(0.0F), one(1.0F);
-    const auto wet_left = face.h_left > F(step.wet_mm);
-    ContactFace<F> edge;
-    edge.sign = lanes::select(wet_left, one, F(-1.0F));
-    edge.h_wet = lanes::select(wet_left, face.h_left, face.h_right);
-    const F normal = lanes::select(wet_left, face.normal_left, face.normal_right);
-    const F eta_wet = lanes::select(wet_left, face.eta_left, face.eta_right);
-    const F eta_dry = lanes::select(wet_left, face.eta_right, face.eta_left);
-    edge.pinned_mm = F(0.5F * step.cell_mm * step.tan_advancing) * normal;
-    const F drop = eta_wet - eta_dry;
-    const F slope = F(2.0F * step.inverse_cell) * edge.h_wet / lanes::max(normal, one);
-    const F spill = lanes::max(F(slope * slope - F(step.tan_advancing * step.tan_advancing)), zero);
-    const F push = F(step.gravity_mm_s2 * step.inverse_cell) * drop +
-                   F(0.5F * step.tension * step.inverse_cell) * spill / (edge.h_wet + F(1e-30F));
-    edge.acceleration = force + edge.sign * push;
-    const auto open =
-        (drop > zero) && (edge.h_wet > edge.pinned_mm) && (edge.sign * edge.acceleration > zero);
-    edge.pinned_mm = lanes::select(open, edge.pinned_mm, edge.h_wet);
-    return edge;
-}
-
-/// The thickness that leaves through the film's edge.
-template <class F>
-PASTOSO_LANE_FUNCTION F passing_thickness(const FaceNeighbourhood<F>& face, const ContactFace<F>& edge,
-                                          const StepConstants& step) {
-    const F zero(0.0F), wet_mm(step.wet_mm);
-    return lanes::select(face.h_left > wet_mm || face.h_right > wet_mm,
-                         lanes::max(F(edge.h_wet - edge.pinned_mm), zero), zero);
+    const ContactFace<F> dry = edge_of_dry(face, step, force);
+    if (!step.has_contact_angle()) return dry;
+    const ContactFace<F> within = edge_within(face, step, force);
+    const auto wet = face.h_left > F(step.wet_mm) && face.h_right > F(step.wet_mm);
+    return {lanes::select(wet, within.acceleration, dry.acceleration),
+            lanes::select(wet, within.dragging_mm, dry.dragging_mm),
+            lanes::select(wet, within.passing_mm, dry.passing_mm)};
 }
 
 /// The drive along the axis: what accelerates the paint through the face, mm/s2, but for its drag.
@@ -102,10 +149,9 @@ enum class FaceScheme { Explicit, Large };
 template <FaceScheme kScheme, class F>
 PASTOSO_LANE_FUNCTION auto inside_film(const FaceNeighbourhood<F>& face, const StepConstants& step) {
     const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
-    if constexpr (kScheme == FaceScheme::Large)
-        return step.has_contact_angle() ? wet_left && wet_right : wet_left || wet_right;
-    else
-        return wet_left && wet_right;
+    if (!step.has_contact_angle())
+        return kScheme == FaceScheme::Large ? wet_left || wet_right : wet_left && wet_right;
+    return (wet_left && wet_right) && !(ends_left(face) || ends_right(face));
 }
 
 /// What a scheme brings along.
@@ -156,7 +202,7 @@ PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>
     const F zero(0.0F), dt(step.dt_s);
     const auto inside = inside_film<kScheme>(face, step);
     const bool all_inside = lanes::all(inside);
-    ContactFace<F> edge;
+    ContactFace<F> edge{};
     F acceleration = drive_along<kModel>(face, step, F(force), start.pressure_gradient);
     if (!all_inside) {
         edge = contact_face(face, step, F(force));
@@ -174,8 +220,8 @@ PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>
     }
     drive.drag_thickness = drive.thickness;
     if (!all_inside) {
-        drive.drag_thickness = lanes::select(inside, drive.thickness, edge.h_wet);
-        drive.thickness = lanes::select(inside, drive.thickness, passing_thickness(face, edge, step));
+        drive.drag_thickness = lanes::select(inside, drive.thickness, edge.dragging_mm);
+        drive.thickness = lanes::select(inside, drive.thickness, edge.passing_mm);
     }
     drive.laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
     add_drag(face, step, start.along, drive);

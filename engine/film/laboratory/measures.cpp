@@ -1,6 +1,8 @@
 #include "film/laboratory/measures.hpp"
 
 #include "core/units.hpp"
+#include "film/face/film_end.hpp"
+#include "film/step_setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +53,16 @@ class Cells {
                (film_.cell_mm * film_.cell_mm);
     }
 
+    /// How the film ends in a cell.
+    FilmEnd<float> end(int x, int y, const StepConstants& step) const {
+        return film_end<float>(
+            [&](int right, int below) {
+                return static_cast<float>(h(neighbour(x + right, film_.shape.width, periodic_x_),
+                                            neighbour(y + below, film_.shape.height, periodic_y_)));
+            },
+            step);
+    }
+
   private:
     static int neighbour(int index, int count, bool periodic) {
         if (periodic) return (index + count) % count;
@@ -92,6 +104,7 @@ Measures measure(const FilmState& film, const Medium& medium, const Gravity& gra
     const double cos_angle = std::cos(core::radians(medium.advancing_angle_deg));
     const auto eta = [&](int x, int y) { return cells.eta(x, y); };
     const auto support = [&](int x, int y) { return cells.c(x, y); };
+    const StepConstants step = make_constants(medium, gravity, options, film.cell_mm);
     Sums sums;
     for_each_painted_cell(film, [&](int x, int y) {
         const double h = cells.h(x, y);
@@ -103,8 +116,15 @@ Measures measure(const FilmState& film, const Medium& medium, const Gravity& gra
         if (h <= negligible_mm) return;
         const double u = cells.u(x, y), v = cells.v(x, y);
         sums.kinetic += h * (u * u + v * v);
-        sums.surface += area_of(cells.slope2(x, y, eta), options.full_curvature) -
-                        cos_angle * area_of(cells.slope2(x, y, support), options.full_curvature);
+        const double ground = area_of(cells.slope2(x, y, support), options.full_curvature);
+        double surface = area_of(cells.slope2(x, y, eta), options.full_curvature), covered = 1.0;
+        if (step.has_contact_angle()) {
+            const FilmEnd<float> end = cells.end(x, y, step);
+            covered = end.covered;
+            if (covered < 1.0)
+                surface = area_of(end.contact_slope * end.contact_slope, options.full_curvature);
+        }
+        sums.surface += covered * (surface - cos_angle * ground);
         sums.wet = grid::bounding_box(sums.wet, {x, y, x + 1, y + 1});
     });
 

@@ -23,7 +23,8 @@ struct Measures {
     /// sigma sum (A(eta) - cos(theta_a) A(c)) cell^2 over wet cells, the tension of the surface less
     /// what wetting the support gives back at the advancing contact angle. A(f) = sqrt(1 + |grad f|^2),
     /// or 1 + |grad f|^2 / 2 where `full_curvature` is off; each component of |grad f|^2 is the mean
-    /// over the cell's two faces, and eta falls to the support in dry neighbours.
+    /// over the cell's two faces, and eta falls to the support in dry neighbours. Of a cell that the
+    /// film ends in, the part that it covers counts, with the slope of the contact line (FilmEnd).
     double surface_energy_J = 0.0;
 };
 

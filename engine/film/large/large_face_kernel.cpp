@@ -143,8 +143,16 @@ struct LargeFaceRow {
 
         const Lanes flow = drag_answer<kModel.yield>(drive.driven, drive.across, drag, resistance).flow;
         const auto flows = drive.thickness > zero;
-        put_explicit(!inside, drive.thickness, lanes::select(flows, softly_limited(flow, step), zero),
-                     f);
+        const Lanes limited = within_supply(face, softly_limited(flow, step), drive.thickness);
+        put_explicit(!inside, drive.thickness, lanes::select(flows, limited, zero), f);
+    }
+
+    /// What leaves the cell in which the film ends through two faces shall not be more than it holds.
+    [[gnu::always_inline]] Lanes within_supply(const FaceNeighbourhood<Lanes>& face, Lanes flow,
+                                               Lanes depth) const {
+        const Lanes held = lanes::select(flow > Lanes(0.0F), face.h_left, face.h_right);
+        const Lanes most = Lanes(0.45F * step.cell_mm / step.dt_s) * held / (depth + Lanes(1e-30F));
+        return lanes::clamp(flow, Lanes(-most), most);
     }
 
     /// The momentum of faces that remember it, where it moves paint of another depth than arrives.
@@ -209,12 +217,11 @@ void weight_row(const TileScratch& scratch, const StepConstants& step, int first
     const HaloBlock& block = scratch.block;
     const float* h = block.thickness.data();
     const float* eta = block.eta.data();
-    const Lanes one(1.0F), zero(0.0F), wet(step.wet_mm), steep(2.0F * step.inverse_cell);
+    const Lanes one(1.0F), zero(0.0F), wet(step.wet_mm);
     const auto edge_weight = [&](int i) {
-        const Lanes sum = load(&scratch.normal_x[i]) + load(&scratch.normal_y[i]);
-        const Lanes slope = steep * load(h + i);
-        const auto follows =
-            (slope < Lanes(step.tan_advancing) * sum) && (slope > Lanes(step.tan_receding) * sum);
+        const Lanes sum = load(&scratch.ends.normal_x[i]) + load(&scratch.ends.normal_y[i]);
+        const Lanes slope = load(&scratch.ends.contact_slope[i]);
+        const auto follows = (slope < Lanes(step.tan_advancing)) && (slope > Lanes(step.tan_receding));
         return lanes::select(follows, Lanes(Lanes(2.0F) * load(normal_along + i) / (sum + Lanes(1e-9F))),
                              zero);
     };
@@ -261,7 +268,7 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
             const LargeFaceRow<kModel> row{
                 scratch, lag, step, y_axis, 0, y, tile.y, scratch.velocity_y, tile.inertial};
             error = lanes::max(error, row.assemble(again));
-            weights(scratch, step, 0, y, kBlockStride, 1, scratch.normal_y.data(), tile.y.weight);
+            weights(scratch, step, 0, y, kBlockStride, 1, scratch.ends.normal_y.data(), tile.y.weight);
         } else {
             clear_row(tile.y, y);
         }
@@ -269,7 +276,7 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
             const LargeFaceRow<kModel> row{
                 scratch, lag, step, x_axis, -1, y, tile.x, scratch.velocity_x, tile.inertial};
             error = lanes::max(error, row.assemble(again));
-            weights(scratch, step, -1, y, 1, kBlockStride, scratch.normal_x.data(), tile.x.weight);
+            weights(scratch, step, -1, y, 1, kBlockStride, scratch.ends.normal_x.data(), tile.x.weight);
         } else {
             clear_row(tile.x, y);
         }

@@ -188,6 +188,9 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
     const Lanes zero(0.0F);
     Lanes speed(0.0F), thickness(0.0F);
+    // Of a wedge of the advancing angle that fills a cell: next to nothing moves in one that the film
+    // has just entered.
+    const Lanes wedges(step.has_contact_angle() ? 2.0F * step.inverse_cell / step.tan_advancing : 1e30F);
     for_each_lane_group(first_x, kTileSize, [&](int x) {
         const int f = face_index(x, y), i = window_index(x, y);
         const Lanes here = load(&faces.velocity[f]);
@@ -195,13 +198,15 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
             lanes::select(here > zero, load(&large.share[i]), load(&large.share[i + along]));
         // Nothing flows where no number came out.
         const Lanes granted = lanes::select(lanes::abs(here) < Lanes(1e30F), Lanes(here * share), zero);
-        const Lanes exact = granted * load(&faces.depth[f]) * scale;
+        const Lanes size = lanes::abs(granted), depth = load(&faces.depth[f]);
+        const Lanes exact = granted * depth * scale;
         const Lanes nearest = exact + lanes::copysign(Lanes(0.5F), exact);
         lanes::store(&flux[f], lanes::convert<std::int32_t>(nearest));
         store(&velocity[f], granted);
-        speed = lanes::max(speed, lanes::abs(granted));
-        thickness = lanes::max(
-            thickness, lanes::select(granted == Lanes(0.0F), Lanes(0.0F), load(&faces.depth[f])));
+        const auto at_end = load(&faces.drag[f]) < zero;
+        const Lanes filling = lanes::min(Lanes(1.0F), Lanes(depth * wedges));
+        speed = lanes::max(speed, lanes::select(at_end, Lanes(size * filling), size));
+        thickness = lanes::max(thickness, lanes::select(granted == zero, zero, depth));
     });
     extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::largest(speed));
     extremes.thickness_mm = lanes::max(extremes.thickness_mm, lanes::largest(thickness));
