@@ -10,7 +10,7 @@ namespace {
 using std::numbers::pi;
 
 double ripple_amplitude(const Bench& bench) {
-    const int n = bench.scene.width;
+    const int n = bench.setup.width;
     double cosine = 0, sine = 0;
     for (int x = 0; x < n; ++x) {
         cosine += bench.h(x, 1) * std::cos(2 * pi * (x + 0.5) / n);
@@ -27,8 +27,8 @@ double slope_profile(double a, double b, double t) {
 }
 
 SlopeCurrent look_at_slope(const Bench& bench, double t) {
-    const int n = bench.scene.width;
-    const double cell = bench.scene.cell_mm;
+    const int n = bench.setup.width;
+    const double cell = bench.setup.cell_mm;
     int last = 0;
     for (int x = 0; x < n; ++x)
         if (bench.h(x, 1) > bench.h(last, 1)) last = x;
@@ -56,13 +56,13 @@ double axisymmetric_height(double r, double t) {
 }
 
 SpreadDrop look_at_drop(const Bench& bench, double t) {
-    const int n = bench.scene.width;
+    const int n = bench.setup.width;
     const double middle = bench.h(n / 2, n / 2);
     int covered = 0;
     for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x)
             covered += bench.h(x, y) > 0.02 * middle ? 1 : 0;
-    return {t, std::sqrt(covered / pi) * bench.scene.cell_mm, middle};
+    return {t, std::sqrt(covered / pi) * bench.setup.cell_mm, middle};
 }
 
 }  // namespace
