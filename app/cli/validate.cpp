@@ -9,7 +9,6 @@
 #include "core/thread_pool.hpp"
 #include "files/file_access.hpp"
 
-#include <atomic>
 #include <mutex>
 
 namespace pastoso::cli {
@@ -40,6 +39,8 @@ std::vector<ValidatedRun> planned_runs(const ValidateOptions& options) {
     for (const Case* wanted : wanted_cases(options.cases))
         for (const film::validation::Run& run : film::validation::runs_of(*wanted, schemes))
             if (options.with_long || !wanted->is_long(run)) planned.push_back({wanted, run, {}});
+    for (ValidatedRun& plan : planned)
+        plan.run.watch = stop_if_interrupted;
     return planned;
 }
 
@@ -55,12 +56,10 @@ void carry_out(std::vector<ValidatedRun>& runs, int threads, bool quiet) {
     std::mutex progress_use;
     std::size_t done = 0;
     pool.run(runs.size(), [&](std::size_t index, int) {
-        if (is_interrupted()) return;
         runs[index].outcome = runs[index].wanted->outcome(runs[index].run);
         const std::lock_guard lock(progress_use);
         progress.update(static_cast<double>(++done) / static_cast<double>(runs.size()));
     });
-    stop_if_interrupted();
     progress.clear();
 }
 

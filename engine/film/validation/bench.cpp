@@ -88,8 +88,10 @@ AdvanceReport Bench::run(double dt_s, double seconds) {
 
 void Bench::pass(double seconds) {
     const double ticks = std::floor(seconds / kTick_s + 1e-6);
-    for (double tick = 0; tick < ticks; ++tick)
+    for (double tick = 0; tick < ticks; ++tick) {
+        setup.watch();
         solver->advance(kTick_s);
+    }
     const double rest_s = seconds - ticks * kTick_s;
     if (rest_s > 1e-6 * kTick_s) solver->advance(rest_s);
     passed_s += seconds;

@@ -29,6 +29,7 @@ struct Setup {
     bool inertia = true, lateral = true, full_curvature = false, sleeping = false;
     int threads = 1;
     SolverOptions solver = {};  ///< what the fields above do not say, the scheme above all
+    std::function<void()> watch = [] {};  ///< called by Bench::pass() at every tick; may throw to stop
 };
 
 /// The paint of a setup, of density 1000 kg/m3.

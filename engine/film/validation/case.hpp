@@ -18,6 +18,7 @@ struct Run {
     Scheme scheme = Scheme::LargeStep;  ///< or Explicit
     double cell_mm = 0.25;
     double angle_deg = 0.0;  ///< how far the case is turned against the grid
+    std::function<void()> watch = [] {};  ///< called at every tick; may throw to stop
 };
 
 /// One number of a case beside what the law says.
@@ -50,7 +51,7 @@ struct Case {
     std::function<bool(const Run&)> is_long = [](const Run&) { return false; };
 };
 
-/// (measured - exact) / exact.
+/// (measured - exact) / exact; where that is 0, the difference itself.
 double error_of(const Figure& figure);
 
 /// All cases, in the order of the documentation.

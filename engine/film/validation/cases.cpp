@@ -2,15 +2,22 @@
 #include "core/text.hpp"
 #include "film/validation/case.hpp"
 #include "film/validation/contact_lines.hpp"
+#include "film/validation/flows.hpp"
 
 namespace pastoso::film::validation {
 
 double error_of(const Figure& figure) {
-    return (figure.measured - figure.exact) / figure.exact;
+    const double difference = figure.measured - figure.exact;
+    return figure.exact == 0.0 ? difference : difference / figure.exact;
 }
 
 std::span<const Case> cases() {
-    static const std::vector<Case> all = {resting_drop(), held_drop(), retracting_strip()};
+    static const std::vector<Case> all = {nusselt_film(),    bingham_film(),  herschel_bulkley_film(),
+                                          slope_current(),   round_current(), gravity_ripple(),
+                                          tension_ripple(),  running_wave(),  yielded_heap(),
+                                          yielded_slope(),   kept_marks(),    running_drop(),
+                                          fingers(),         resting_drop(),  held_drop(),
+                                          retracting_strip()};
     return all;
 }
 
@@ -29,7 +36,7 @@ std::vector<Run> runs_of(const Case& wanted, std::span<const Scheme> schemes) {
     for (const Scheme scheme : schemes)
         for (const double cell_mm : wanted.cells_mm)
             for (const double angle_deg : wanted.angles_deg)
-                runs.push_back({scheme, cell_mm, angle_deg});
+                runs.push_back({.scheme = scheme, .cell_mm = cell_mm, .angle_deg = angle_deg});
     return runs;
 }
 

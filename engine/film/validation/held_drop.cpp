@@ -47,7 +47,8 @@ bool is_held(const Run& run, const Slopes& slopes, double force_in_tensions) {
                               .slip_cells = 0.2,
                               .full_curvature = true,
                               .sleeping = true,
-                              .solver = {.scheme = run.scheme}},
+                              .solver = {.scheme = run.scheme},
+                              .watch = run.watch},
                              force_in_tensions * kTension / start.section_mm2()));
     const double centre = 0.5 * plane.period_mm();
     plane.fill(bench, [&](double s) { return start.h(std::abs(s - centre)); });
@@ -98,7 +99,8 @@ Case held_drop() {
             .y_axis = "force that holds [sigma]",
             .outcome = hold,
             .is_long = [](const Run& run) {
-                return run.scheme == Scheme::Explicit && (run.cell_mm < 0.1 || run.angle_deg > 0.0);
+                const double turned_mm = run.scheme == Scheme::Explicit ? 0.2 : 0.1;
+                return run.cell_mm < (run.angle_deg > 0.0 ? turned_mm : 0.1);
             }};
 }
 

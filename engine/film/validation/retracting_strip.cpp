@@ -70,7 +70,8 @@ Outcome draw_back(const Run& run) {
                               .tan_receding = kReceding,
                               .slip_cells = kSlip_cells,
                               .sleeping = true,
-                              .solver = {.scheme = run.scheme}}));
+                              .solver = {.scheme = run.scheme},
+                              .watch = run.watch}));
     const double centre = 0.5 * plane.period_mm();
     plane.fill(bench, [&](double s) { return half_width_at_start(s - centre); });
     Outcome outcome;
