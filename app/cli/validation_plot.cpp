@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace pastoso::cli {
 namespace {
@@ -17,8 +18,8 @@ constexpr double kLeft = 70.0, kRight = 540.0, kTop = 44.0, kBottom = 360.0;  //
 constexpr double kLine = 15.0;                                                // of text
 constexpr int kMostLines = 21;
 /// Told apart by those who see no red or green, too (Okabe and Ito 2008).
-constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                 "#56b4e9", "#e69f00", "#7f7f7f", "#882255"};
+constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9",
+                                 "#e69f00", "#000000", "#882255", "#999933"};
 
 struct Span {
     double least = 0.0, most = 1.0;
@@ -90,11 +91,13 @@ std::string line(double x0, double y0, double x1, double y1, const std::string& 
            pixel(y1) + "\" stroke=\"" + stroke + "\"/>\n";
 }
 
-std::string polyline(const Curve& curve, const Axes& axes, const std::string& style) {
-    if (curve.size() == 1) return "";
-    std::string text = "<polyline fill=\"none\" " + style + " points=\"";
-    for (const PlotPoint& point : curve)
-        text += pixel(axes.right(point.x)) + "," + pixel(axes.down(point.y)) + " ";
+std::string path_of(const Curve& curve, const Axes& axes, const std::string& style) {
+    std::string text = "<path fill=\"none\" stroke-linejoin=\"round\" " + style + " d=\"";
+    char command = 'M';
+    for (const PlotPoint& point : curve) {
+        text += command + pixel(axes.right(point.x)) + " " + pixel(axes.down(point.y));
+        command = 'L';
+    }
     return text + "\"/>\n";
 }
 
@@ -124,45 +127,64 @@ std::string frame(const Axes& axes, const film::validation::Case& shown) {
     return text + text_at(kLeft, 24.0, shown.name + ": " + shown.law, " font-size=\"13\"");
 }
 
+/// The lines beside the axes that say which curve is which.
+class Key {
+  public:
+    void add(const std::string& style, const std::string& words) {
+        if (lines_ >= kMostLines) return;
+        const double y = kTop + kLine * lines_++;
+        text_ += "<line x1=\"" + pixel(kRight + 14.0) + "\" y1=\"" + pixel(y - 4.0) + "\" x2=\"" +
+                 pixel(kRight + 40.0) + "\" y2=\"" + pixel(y - 4.0) + "\" " + style + "/>\n" +
+                 text_at(kRight + 46.0, y, words);
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    int lines_ = 0;
+    std::string text_;
+};
+
+bool is_same(const Curve& a, const Curve& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](PlotPoint p, PlotPoint q) { return p.x == q.x && p.y == q.y; });
+}
+
+/// Broad, below the others. Most runs of a case share one.
+std::string exact_curves(const std::vector<ValidatedRun>& runs, const Axes& axes, Key& key) {
+    const std::string style = "stroke-width=\"5\" stroke=\"#c8c8c8\"";
+    std::string text;
+    for (auto run = runs.begin(); run != runs.end(); ++run)
+        if (std::none_of(runs.begin(), run, [&](const ValidatedRun& before) {
+                return is_same(before.outcome.exact, run->outcome.exact);
+            }))
+            text += path_of(run->outcome.exact, axes, style);
+    key.add(style, "exact");
+    return text;
+}
+
 /// Explicit steps are drawn through, large ones dashed; a colour for each cell size and angle.
-std::string curves(const std::vector<ValidatedRun>& runs, const Axes& axes) {
-    std::string text, key;
-    int lines = 0;
-    const auto label = [&](const std::string& style, const std::string& words) {
-        if (lines >= kMostLines) return;
-        const double y = kTop + kLine * lines++;
-        key += "<line x1=\"" + pixel(kRight + 14.0) + "\" y1=\"" + pixel(y - 4.0) + "\" x2=\"" +
-               pixel(kRight + 40.0) + "\" y2=\"" + pixel(y - 4.0) + "\" " + style + "/>\n" +
-               text_at(kRight + 46.0, y, words);
-    };
+std::string measured_curves(const std::vector<ValidatedRun>& runs, const Axes& axes, Key& key) {
     std::vector<std::pair<double, double>> kinds;
+    std::string text;
     for (const ValidatedRun& run : runs) {
         const std::pair kind(run.run.cell_mm, run.run.angle_deg);
-        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
-        const auto colour =
-            static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin()) %
-            kColours.size();
+        auto known = std::find(kinds.begin(), kinds.end(), kind);
+        if (known == kinds.end()) known = kinds.insert(kinds.end(), kind);
+        const auto colour = static_cast<std::size_t>(known - kinds.begin()) % kColours.size();
         const bool large = run.run.scheme == film::Scheme::LargeStep;
-        const std::string style = std::string("stroke-width=\"1.4\" stroke=\"") + kColours[colour] +
+        const std::string style = std::string("stroke-width=\"1.3\" stroke=\"") + kColours[colour] +
                                   "\"" + (large ? " stroke-dasharray=\"5 3\"" : "");
-        text += polyline(run.outcome.measured, axes, style);
-        label(style, name_of(run.run.scheme) + ", " + number_text(run.run.cell_mm, 3) + " mm, " +
-                         number_text(run.run.angle_deg, 3) + "°");
+        text += path_of(run.outcome.measured, axes, style);
+        key.add(style, name_of(run.run.scheme) + ", " + number_text(run.run.cell_mm, 3) + " mm, " +
+                           number_text(run.run.angle_deg, 3) + "°");
     }
-    const std::string exact_style = "stroke-width=\"1.2\" stroke=\"#000000\"";
-    std::vector<Curve> drawn;
-    for (const ValidatedRun& run : runs) {
-        const auto same = [&](const Curve& other) {
-            return std::equal(
-                other.begin(), other.end(), run.outcome.exact.begin(), run.outcome.exact.end(),
-                [](const PlotPoint& a, const PlotPoint& b) { return a.x == b.x && a.y == b.y; });
-        };
-        if (std::any_of(drawn.begin(), drawn.end(), same)) continue;
-        drawn.push_back(run.outcome.exact);
-        text += polyline(run.outcome.exact, axes, exact_style);
-    }
-    label(exact_style, "exact");
-    return text + key;
+    return text;
+}
+
+std::string curves(const std::vector<ValidatedRun>& runs, const Axes& axes) {
+    Key key;
+    const std::string exact = exact_curves(runs, axes, key);
+    return exact + measured_curves(runs, axes, key) + key.text();
 }
 
 }  // namespace

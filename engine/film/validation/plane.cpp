@@ -65,7 +65,7 @@ double Plane::integral(const Bench& bench, const std::function<double(double, do
     return sum / (width_ * height_) * period_mm_;
 }
 
-Curve Plane::profile(const Bench& bench) const {
+Curve Plane::profile(const Bench& bench, double level_mm) const {
     const int strips = whole_cells(period_mm_, cell_mm_);
     struct Strip {
         double along = 0.0, thickness = 0.0, cells = 0.0;
@@ -82,7 +82,8 @@ Curve Plane::profile(const Bench& bench) const {
         }
     Curve curve;
     for (const Strip& sum : sums)
-        if (sum.cells > 0.0) curve.push_back({sum.along / sum.cells, sum.thickness / sum.cells});
+        if (sum.cells > 0.0)
+            curve.push_back({sum.along / sum.cells, sum.thickness / sum.cells - level_mm});
     return curve;
 }
 

@@ -37,8 +37,8 @@ class Plane {
     double integral(const Bench& bench,
                     const std::function<double(double along_mm, double h_mm)>& value) const;
 
-    /// Mean thickness in strips as wide as a cell.
-    Curve profile(const Bench& bench) const;
+    /// Mean thickness in strips as wide as a cell, less `level_mm`.
+    Curve profile(const Bench& bench, double level_mm = 0.0) const;
 
     /// Mean |h - exact| over the mean of exact, cell by cell.
     double l1_error(const Bench& bench, const std::function<double(double along_mm)>& exact) const;

@@ -91,10 +91,10 @@ Outcome run_on(const Run& run) {
     Outcome outcome;
     outcome.figures = {{"amplitude kept [-]", std::abs(end) / std::abs(start), 1.0},
                        {"way [mm]", way_mm, speed * seconds}};
-    outcome.measured = plane.profile(bench);
+    outcome.measured = plane.profile(bench, kThickness_mm);
     for (const PlotPoint& point : outcome.measured)
         outcome.exact.push_back(
-            {point.x, kThickness_mm * (1.0 + kShare * std::cos(k * (point.x - speed * seconds)))});
+            {point.x, kThickness_mm * kShare * std::cos(k * (point.x - speed * seconds))});
     return outcome;
 }
 
@@ -129,7 +129,7 @@ Case running_wave() {
             .cells_mm = {0.5, 0.25, 0.125},
             .angles_deg = {0.0, 27.0, 45.0},
             .x_axis = "way [mm]",
-            .y_axis = "thickness [mm]",
+            .y_axis = "height above the mean [mm]",
             .outcome = run_on};
 }
 

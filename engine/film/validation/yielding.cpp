@@ -90,7 +90,8 @@ Marks marks_after_levelling(const Run& run) {
     plane.fill(bench, [&](double s) { return kThickness_mm * (1.0 + kShare * std::cos(k * s)); });
     bench.pass(kSeconds);
     const double cosine = plane.integral(bench, [&](double s, double h) { return h * std::cos(k * s); });
-    return {cosine * 2.0 / plane.period_mm() / (kThickness_mm * kShare), plane.profile(bench)};
+    return {cosine * 2.0 / plane.period_mm() / (kThickness_mm * kShare),
+            plane.profile(bench, kThickness_mm)};
 }
 
 Outcome keep_marks(const Run& run) {
@@ -138,7 +139,7 @@ Case kept_marks() {
         .cells_mm = {0.25, 0.125, 0.0625},
         .angles_deg = {0.0, 27.0, 45.0},
         .x_axis = "place [mm]",
-        .y_axis = "thickness [mm]",
+        .y_axis = "height above the mean [mm]",
         .outcome = keep_marks,
         .is_long = [](const Run& run) { return run.scheme == Scheme::Explicit && run.cell_mm < 0.1; }};
 }
