@@ -65,6 +65,7 @@ void carry_out(std::vector<ValidatedRun>& runs, int threads, bool quiet) {
 
 void write_files(const std::vector<ValidatedRun>& runs, const fs::path& folder) {
     core::write_text_file(folder / "validation.csv", validation_csv(runs));
+    core::write_text_file(folder / "validation.md", validation_markdown(runs));
     for (auto first = runs.begin(); first != runs.end();) {
         auto end = first;
         while (end != runs.end() && end->wanted == first->wanted)

@@ -15,7 +15,8 @@ void add_validate(CLI::App& program, ValidateOptions& options) {
         ->capture_default_str()
         ->check(CLI::IsMember({"explicit", "large", "both"}));
     command.add_flag("--long", options.with_long, "Runs of minutes, too");
-    add_text(command, "-o,--output", options.output, "Folder for the table (.csv) and plots (.svg)")
+    add_text(command, "-o,--output", options.output,
+             "Folder for the table (.csv, .md) and a plot of each case (.svg)")
         ->type_name("DIR");
     add_threads_option(command, options.threads);
     add_quiet_flag(command, options.quiet);

@@ -92,6 +92,7 @@ std::string line(double x0, double y0, double x1, double y1, const std::string& 
 }
 
 std::string path_of(const Curve& curve, const Axes& axes, const std::string& style) {
+    if (curve.empty()) return {};
     std::string text = "<path fill=\"none\" stroke-linejoin=\"round\" " + style + " d=\"";
     char command = 'M';
     for (const PlotPoint& point : curve) {
@@ -158,7 +159,7 @@ std::string exact_curves(const std::vector<ValidatedRun>& runs, const Axes& axes
                 return is_same(before.outcome.exact, run->outcome.exact);
             }))
             text += path_of(run->outcome.exact, axes, style);
-    key.add(style, "exact");
+    if (!runs.front().outcome.exact.empty()) key.add(style, "exact");
     return text;
 }
 

@@ -23,6 +23,10 @@ std::string validation_table(const std::vector<ValidatedRun>& runs);
 /// case,quantity,scheme,cell_mm,angle_deg,measured,exact,error_percent,at_least
 std::string validation_csv(const std::vector<ValidatedRun>& runs);
 
+/// The errors as tables in Markdown: a line for every quantity, a column for every scheme and angle, in
+/// each the three cell sizes from the coarsest on.
+std::string validation_markdown(const std::vector<ValidatedRun>& runs);
+
 /// The measured curves of one case's runs, and the exact one, as a picture in SVG.
 std::string validation_plot(const std::vector<ValidatedRun>& runs);
 

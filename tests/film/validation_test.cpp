@@ -27,7 +27,7 @@ struct Bound {
     double error;
 };
 
-/// A case at one cell size, at all its angles and in both schemes.
+/// A case at one cell size in both schemes, along an axis and at 27 degrees, which stand for all angles.
 struct ShortCase {
     std::string name;
     int cell;  ///< which of the case's cell sizes, 0 the coarsest
@@ -46,6 +46,7 @@ TEST_P(Law, IsKept) {
     int compared = 0;
     for (const validation::Run& run : validation::runs_of(wanted, kBothSchemes)) {
         if (run.cell_mm != wanted.cells_mm.at(static_cast<std::size_t>(test.cell))) continue;
+        if (run.angle_deg > 30.0) continue;
         for (const validation::Figure& figure : wanted.outcome(run).figures)
             for (const Bound& bound : test.bounds) {
                 if (!figure.quantity.starts_with(bound.quantity)) continue;
@@ -69,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ShortCase{"tension-ripple", 0, {{"rate", 0.04}}},
                     ShortCase{"tension-ripple", 1, {{"rate", 0.02}}},
                     ShortCase{"yielded-heap", 0, {{"height", 0.02}, {"profile", 0.04}}},
-                    ShortCase{"yielded-slope", 1, {{"mean thickness", 0.01}}}));
+                    ShortCase{"yielded-slope", 0, {{"mean thickness", 0.01}}}));
 
 TEST(BinghamFilm, StandsStillBelowYield) {
     Bench bench({.width = 16, .height = 2, .gravity = 10, .force_x = 2, .viscosity = 0.5, .yield = 1});

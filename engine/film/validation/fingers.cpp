@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 #include <vector>
 
 namespace pastoso::film::validation {
@@ -66,8 +67,10 @@ Outcome finger(const Run& run) {
     bench.pass(kSeconds);
     const std::vector<double> front = front_of(bench);
     Outcome outcome;
+    const double mean_mm =
+        std::accumulate(front.begin(), front.end(), 0.0) / static_cast<double>(front.size());
     for (std::size_t y = 0; y < front.size(); ++y)
-        outcome.measured.push_back({(static_cast<double>(y) + 0.5) * run.cell_mm, front[y]});
+        outcome.measured.push_back({(static_cast<double>(y) + 0.5) * run.cell_mm, front[y] - mean_mm});
     const double length_mm = std::cbrt(kTension * kThickness_mm / kForce);
     outcome.figures.push_back({"wavelength [l]", wavelength_mm(front) / length_mm, 14.0});
     return outcome;
@@ -82,7 +85,7 @@ Case fingers() {
             .cells_mm = {0.5, 0.375, 0.25},
             .angles_deg = {0.0},
             .x_axis = "across [mm]",
-            .y_axis = "front [mm]",
+            .y_axis = "front, ahead of its mean [mm]",
             .outcome = finger,
             .is_long = [](const Run&) { return true; }};
 }

@@ -17,7 +17,7 @@ constexpr double kLongest_s = 6.0;
 struct Slopes {
     double advancing, receding;
 };
-constexpr std::array<Slopes, 3> kSlopes = {{{0.9, 0.35}, {0.9, 0.7}, {0.5, 0.17}}};
+constexpr std::array<Slopes, 3> kSlopes = {{{0.9, 0.7}, {0.5, 0.17}, {0.9, 0.35}}};
 
 /// cos(theta_R) - cos(theta_A): the force in surface tensions.
 double exact_force(const Slopes& slopes) {
@@ -93,14 +93,13 @@ Case held_drop() {
     return {.name = "held-drop",
             .law = "a planar drop on a slope holds rho F A = sigma (cos theta_R - cos theta_A)",
             .source = "Furmidge (1962); Dussan and Chow (1983)",
-            .cells_mm = {0.2, 0.1, 0.05},
+            .cells_mm = {0.4, 0.2, 0.1},
             .angles_deg = {0.0, 27.0, 45.0},
             .x_axis = "exact force [sigma]",
             .y_axis = "force that holds [sigma]",
             .outcome = hold,
             .is_long = [](const Run& run) {
-                const double turned_mm = run.scheme == Scheme::Explicit ? 0.2 : 0.1;
-                return run.cell_mm < (run.angle_deg > 0.0 ? turned_mm : 0.1);
+                return run.scheme == Scheme::Explicit && run.cell_mm < 0.2 && run.angle_deg > 0.0;
             }};
 }
 
