@@ -77,13 +77,15 @@ struct Marks {
     Curve profile;
 };
 
-/// What is left of brush marks of 5 % on half a millimetre of paint.
+/// What is left of brush marks of 5 % on half a millimetre of paint. Where whole cells allow another
+/// wavelength only, the yield stress follows the stress of the marks, which goes by its third power.
 Marks marks_after_levelling(const Run& run) {
     constexpr double kThickness_mm = 0.5, kShare = 0.05, kWavelength_mm = 3.0, kSeconds = 1.0;
     const Plane plane(kWavelength_mm, run.angle_deg, run.cell_mm);
+    const double shorter = kWavelength_mm / plane.period_mm();
     Bench bench(plane.placed({.viscosity = 300.0,
                               .tension = 25000.0,
-                              .yield = 1200.0,
+                              .yield = 1200.0 * shorter * shorter * shorter,
                               .solver = {.scheme = run.scheme},
                               .watch = run.watch}));
     const double k = 2.0 * core::kPi / plane.period_mm();
