@@ -5,22 +5,23 @@
 #include "film/validation/outline.hpp"
 #include "film/validation/plane.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pastoso::film::validation {
 namespace {
 
-/// Where the profile falls to half its peak.
+/// Where the profile falls to half its peak, beyond the peak.
 double front_of(const Curve& profile) {
-    const auto thickest = std::max_element(profile.begin(), profile.end(),
-                                           [](PlotPoint a, PlotPoint b) { return a.y < b.y; });
-    const double half = 0.5 * thickest->y;
-    auto next = thickest + 1;
-    while (next + 1 != profile.end() && next->y >= half)
-        ++next;
-    const PlotPoint before = next[-1];
-    return before.x + (before.y - half) / (before.y - next->y) * (next->x - before.x);
+    std::size_t thickest = 0;
+    for (std::size_t i = 1; i < profile.size(); ++i)
+        if (profile[i].y > profile[thickest].y) thickest = i;
+    const double half = 0.5 * profile[thickest].y;
+    for (std::size_t i = thickest + 1; i < profile.size(); ++i) {
+        const PlotPoint before = profile[i - 1], after = profile[i];
+        if (after.y < half)
+            return before.x + (before.y - half) / (before.y - after.y) * (after.x - before.x);
+    }
+    return profile.back().x;
 }
 
 Outcome run_down(const Run& run) {

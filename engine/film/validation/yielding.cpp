@@ -4,7 +4,6 @@
 #include "film/validation/laws.hpp"
 #include "film/validation/plane.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pastoso::film::validation {
