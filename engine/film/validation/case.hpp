@@ -25,7 +25,7 @@ struct Run {
 struct Figure {
     std::string quantity;  ///< with its unit in brackets
     double measured = 0.0, exact = 0.0;
-    bool at_least = false;                 ///< the run ended before: it is more than `measured`
+    bool at_least = false;                 ///< it is more than `measured`, up to which was looked
     std::optional<double> angle_deg = {};  ///< direction it was measured in, where that is not the run's
 };
 

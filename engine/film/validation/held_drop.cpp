@@ -63,25 +63,28 @@ bool is_held(const Run& run, const Slopes& slopes, double force_in_tensions) {
     return displacement_mm(plane, bench) - before_mm < 0.02 * kHalfBase_mm;
 }
 
-/// The largest force that holds, to 2 %, between a half and five times the exact one.
-double critical_force(const Run& run, const Slopes& slopes) {
-    double holds = 0.5 * exact_force(slopes), runs = 5.0 * exact_force(slopes);
+/// The largest force that holds, to 2 %, between a half and five times the exact one, in surface
+/// tensions.
+Figure critical_force(const Run& run, const Slopes& slopes) {
+    char quantity[64];
+    std::snprintf(quantity, sizeof quantity, "force, slopes %.2g and %.2g [sigma]", slopes.advancing,
+                  slopes.receding);
+    const double exact = exact_force(slopes), most = 5.0 * exact;
+    double holds = 0.5 * exact, runs = most;
     for (int halving = 0; halving < 6; ++halving) {
         const double force = std::sqrt(holds * runs);
         (is_held(run, slopes, force) ? holds : runs) = force;
     }
-    return std::sqrt(holds * runs);
+    if (runs == most) return {quantity, holds, exact, true};
+    return {quantity, std::sqrt(holds * runs), exact};
 }
 
 Outcome hold(const Run& run) {
     Outcome outcome;
     for (const Slopes& slopes : kSlopes) {
-        char quantity[64];
-        std::snprintf(quantity, sizeof quantity, "force, slopes %.2g and %.2g [sigma]", slopes.advancing,
-                      slopes.receding);
-        const double exact = exact_force(slopes), measured = critical_force(run, slopes);
-        outcome.figures.push_back({quantity, measured, exact});
-        outcome.measured.push_back({exact, measured});
+        outcome.figures.push_back(critical_force(run, slopes));
+        const Figure& figure = outcome.figures.back();
+        outcome.measured.push_back({figure.exact, figure.measured});
     }
     outcome.exact = {{0.0, 0.0}, {0.25, 0.25}};
     return outcome;
