@@ -5,6 +5,7 @@
 #include "cli/progress.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/validation_report.hpp"
+#include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/thread_pool.hpp"
 #include "files/file_access.hpp"
@@ -39,6 +40,8 @@ std::vector<ValidatedRun> planned_runs(const ValidateOptions& options) {
     for (const Case* wanted : wanted_cases(options.cases))
         for (const film::validation::Run& run : film::validation::runs_of(*wanted, schemes))
             if (options.with_long || !wanted->is_long(run)) planned.push_back({wanted, run, {}});
+    if (planned.empty())
+        throw core::InputError("All runs of these cases take minutes: --long carries them out.");
     for (ValidatedRun& plan : planned)
         plan.run.watch = stop_if_interrupted;
     return planned;

@@ -73,5 +73,13 @@ TEST_F(CliValidate, UnknownCasesAreRefusedBeforeAnythingRuns) {
     EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 
+TEST_F(CliValidate, LongRunsAreAskedFor) {
+    const RunResult run = run_cli({"validate", "fingers"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.output, "");
+    EXPECT_EQ(run.errors,
+              "pastoso-cli: All runs of these cases take minutes: --long carries them out.\n");
+}
+
 }  // namespace
 }  // namespace pastoso::cli
