@@ -18,6 +18,7 @@ void add_convert(CLI::App& program, ConvertOptions& options);
 void add_timelapse(CLI::App& program, TimelapseOptions& options);
 void add_recover(CLI::App& program, RecoverOptions& options);
 void add_simulate(CLI::App& program, SimulateOptions& options);
+void add_validate(CLI::App& program, ValidateOptions& options);
 void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render);
 void add_tank(CLI::App& program, TankOptions& options);
 void add_info(CLI::App& program, InfoOptions& options);

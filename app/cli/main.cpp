@@ -13,6 +13,7 @@
 #include "cli/tea.hpp"
 #include "cli/timelapse.hpp"
 #include "cli/usage_error.hpp"
+#include "cli/validate.hpp"
 #include "core/fault.hpp"
 #include "core/isa_request.hpp"
 #include "core/memory.hpp"
@@ -59,6 +60,7 @@ int run(int argc, char** argv) {
     TimelapseOptions timelapse;
     RecoverOptions recover;
     SimulateOptions simulate;
+    ValidateOptions validate;
     TeaOptions tea;
     TeaRenderOptions tea_render;
     TankOptions tank;
@@ -77,6 +79,7 @@ int run(int argc, char** argv) {
     add_timelapse(app, timelapse);
     add_recover(app, recover);
     add_simulate(app, simulate);
+    add_validate(app, validate);
     add_tea(app, tea, tea_render);
     add_tank(app, tank);
     add_info(app, info);
@@ -102,6 +105,8 @@ int run(int argc, char** argv) {
         run_recover(recover);
     else if (app.got_subcommand("simulate"))
         run_simulate(simulate);
+    else if (app.got_subcommand("validate"))
+        run_validate(validate);
     else if (app.got_subcommand("tea"))
         app.get_subcommand("tea")->got_subcommand("render") ? run_tea_render(tea_render) : run_tea(tea);
     else if (app.got_subcommand("tank"))

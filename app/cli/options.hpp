@@ -104,6 +104,16 @@ struct SimulateOptions {
     bool quiet = false;
 };
 
+struct ValidateOptions {
+    std::vector<std::string> cases;  ///< none: all
+    bool list = false;
+    std::string scheme = "both";  ///< or explicit, large
+    bool with_long = false;
+    std::string output;  ///< folder, empty: none
+    int threads = 0;
+    bool quiet = false;
+};
+
 /// How frames of a liquid become files.
 struct FrameFileOptions {
     std::string format = "png";  ///< the files' ending

@@ -17,6 +17,7 @@ TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
                                                     {"timelapse"},
                                                     {"recover"},
                                                     {"simulate"},
+                                                    {"validate"},
                                                     {"tea"},
                                                     {"tea", "render"},
                                                     {"tank"},

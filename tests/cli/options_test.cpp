@@ -15,14 +15,24 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Words = std::vector<std::string>;
 
-const std::vector<Words> kCommands = {{"replay"},        {"sheet"},   {"export"},   {"convert"},
-                                      {"timelapse"},     {"recover"}, {"simulate"}, {"tea"},
-                                      {"tea", "render"}, {"tank"},    {"info"}};
+const std::vector<Words> kCommands = {{"replay"},    {"sheet"},         {"export"},   {"convert"},
+                                      {"timelapse"}, {"recover"},       {"simulate"}, {"validate"},
+                                      {"tea"},       {"tea", "render"}, {"tank"},     {"info"}};
 
 /// What stands for texts in help; whatever else an option takes is a number.
-const std::set<std::string> kTexts = {"FILE",  "DIR",     "DIR|FILE",       "NAME",
-                                      "PAINT", "PROFILE", "LIGHT",          "WxHmm",
-                                      "WxH",   "A-B",     "medium|surface", "paint|support"};
+const std::set<std::string> kTexts = {"FILE",
+                                      "DIR",
+                                      "DIR|FILE",
+                                      "NAME",
+                                      "PAINT",
+                                      "PROFILE",
+                                      "LIGHT",
+                                      "WxHmm",
+                                      "WxH",
+                                      "A-B",
+                                      "medium|surface",
+                                      "paint|support",
+                                      "explicit|large|both"};
 
 struct Option {
     std::string name;  ///< "--fps"

@@ -53,7 +53,7 @@ double alternating(const std::array<double, 5>& h) {
 
 /// Root mean square over a periodic film of what alternates along both axes, mm.
 double streaks(const Bench& bench) {
-    const int width = bench.scene.width, height = bench.scene.height;
+    const int width = bench.setup.width, height = bench.setup.height;
     double squares = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

@@ -21,8 +21,8 @@ void for_each_face(const Scene& scene, const Visit& visit) {
 }  // namespace
 
 FilmSnapshot::FilmSnapshot(const Bench& bench) {
-    for (int y = 0; y < bench.scene.height; ++y)
-        for (int x = 0; x < bench.scene.width; ++x) {
+    for (int y = 0; y < bench.setup.height; ++y)
+        for (int x = 0; x < bench.setup.width; ++x) {
             thickness.push_back(bench.state.thickness.at(x, y) * kThicknessQuantum_mm);
             surface.push_back(thickness.back() + bench.state.support_mm.at(x, y));
             velocity_x.push_back(bench.u(x, y));
@@ -35,12 +35,12 @@ FilmSnapshot::FilmSnapshot(const Bench& bench) {
 }
 
 double potential_energy(const Bench& bench, const FilmSnapshot& a, const FilmSnapshot& b) {
-    const double gravity = bench.scene.gravity / 2;
-    const double tension = bench.scene.tension / (2 * bench.scene.cell_mm * bench.scene.cell_mm);
+    const double gravity = bench.setup.gravity / 2;
+    const double tension = bench.setup.tension / (2 * bench.setup.cell_mm * bench.setup.cell_mm);
     double energy = 0;
     for (std::size_t i = 0; i < a.surface.size(); ++i)
         energy += gravity * a.surface[i] * b.surface[i];
-    for_each_face(bench.scene, [&](int cell, int next, bool) {
+    for_each_face(bench.setup, [&](int cell, int next, bool) {
         energy += tension * (a.surface[next] - a.surface[cell]) * (b.surface[next] - b.surface[cell]);
     });
     return energy;
@@ -48,7 +48,7 @@ double potential_energy(const Bench& bench, const FilmSnapshot& a, const FilmSna
 
 double kinetic_energy(const Bench& bench, const FilmSnapshot& film) {
     double energy = 0;
-    for_each_face(bench.scene, [&](int cell, int next, bool is_x) {
+    for_each_face(bench.setup, [&](int cell, int next, bool is_x) {
         const double velocity = is_x ? film.velocity_x[cell] : film.velocity_y[cell];
         energy += 0.25 * (film.thickness[cell] + film.thickness[next]) * velocity * velocity;
     });

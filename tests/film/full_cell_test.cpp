@@ -18,8 +18,8 @@ constexpr std::int32_t kFullChannel = std::numeric_limits<std::int32_t>::max();
 
 std::int32_t thickest(const Bench& bench) {
     std::int32_t result = 0;
-    for (int y = 0; y < bench.scene.height; ++y)
-        for (int x = 0; x < bench.scene.width; ++x) {
+    for (int y = 0; y < bench.setup.height; ++y)
+        for (int x = 0; x < bench.setup.width; ++x) {
             result = std::max(result, bench.state.thickness.at(x, y));
             EXPECT_GE(bench.state.thickness.at(x, y), 0) << x << ' ' << y;
         }
@@ -29,8 +29,8 @@ std::int32_t thickest(const Bench& bench) {
 /// The smallest and the largest amount in a channel of any cell.
 std::pair<std::int32_t, std::int32_t> channel_range(const Bench& bench, int channel) {
     std::pair<std::int32_t, std::int32_t> range{kFullChannel, 0};
-    for (int y = 0; y < bench.scene.height; ++y)
-        for (int x = 0; x < bench.scene.width; ++x) {
+    for (int y = 0; y < bench.setup.height; ++y)
+        for (int x = 0; x < bench.setup.width; ++x) {
             const std::int32_t amount = bench.state.paint.at(x, y)[channel];
             range = {std::min(range.first, amount), std::max(range.second, amount)};
         }

@@ -20,14 +20,14 @@ struct CapCase {
 class SessileCap : public testing::TestWithParam<CapCase> {};
 
 double radius_at(const Bench& bench, double height, double direction_x, double direction_y) {
-    const double centre = bench.scene.width / 2.0;
+    const double centre = bench.setup.width / 2.0;
     for (double r = 0; r < centre; r += 0.02) {
         const double x = centre + r * direction_x - 0.5, y = centre + r * direction_y - 0.5;
         const int i = static_cast<int>(x), j = static_cast<int>(y);
         const double s = x - i, t = y - j;
         const double h = (1 - t) * ((1 - s) * bench.h(i, j) + s * bench.h(i + 1, j)) +
                          t * ((1 - s) * bench.h(i, j + 1) + s * bench.h(i + 1, j + 1));
-        if (h < height) return r * bench.scene.cell_mm;
+        if (h < height) return r * bench.setup.cell_mm;
     }
     return 0.0;
 }

@@ -116,8 +116,8 @@ double thickness_allowance(const RandomPaint& paint) {
 
 void expect_sound(const Bench& bench, const RandomPaint& paint) {
     EXPECT_LE(bench.max_h(), thickness_allowance(paint));
-    for (int y = 0; y < bench.scene.height; ++y)
-        for (int x = 0; x < bench.scene.width; ++x) {
+    for (int y = 0; y < bench.setup.height; ++y)
+        for (int x = 0; x < bench.setup.width; ++x) {
             ASSERT_GE(bench.state.thickness.at(x, y), 0) << x << ' ' << y;
             ASSERT_TRUE(std::isfinite(bench.u(x, y)) && std::isfinite(bench.v(x, y))) << x << ' ' << y;
             for (const std::int32_t channel : bench.state.paint.at(x, y))

@@ -6,6 +6,7 @@
 #include "film/face/face_physics.hpp"
 #include "film/face/shear_thinning.hpp"
 #include "film/film_bench.hpp"
+#include "film/validation/laws.hpp"
 
 #include <cmath>
 #include <memory>
@@ -42,12 +43,10 @@ void PrintTo(const FilmLaw& law, std::ostream* out) {
 
 constexpr double kConsistency = 0.8, kThickness_mm = 1.3, kForce = 2.0;
 
-/// u = h gamma n/(n+1) e (1 - n/(2n+1) e), gamma = ((tau_wall - tau_y)/K)^(1/n), e = 1 - tau_y/tau_wall:
-/// the Herschel-Bulkley film, h (tau_y/K)^(1/n) n/(n+1) (x-1)^((n+1)/n)/x (1 - n/(2n+1) (x-1)/x).
 double exact_speed(const FilmLaw& law) {
-    const double n = law.index, wall = kForce * kThickness_mm, sheared = 1.0 - law.yield / wall;
-    const double rate = std::pow((wall - law.yield) / kConsistency, 1.0 / n);
-    return kThickness_mm * rate * n / (n + 1) * sheared * (1 - n / (2 * n + 1) * sheared);
+    return validation::plastic_speed(
+        {.consistency = kConsistency, .yield = law.yield, .flow_index = law.index}, kForce,
+        kThickness_mm);
 }
 
 Scene slope(const FilmLaw& law) {

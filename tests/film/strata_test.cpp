@@ -107,8 +107,8 @@ struct Sheet {
         const auto patch = [](int x, int) { return std::abs(x - 32) < 8 ? 40.0 : 0.0; };
         bench.tint(kAbove, patch);
         bench.tint(kBelow, patch);
-        for (int y = 0; y < bench.scene.height; ++y)
-            for (int x = 0; x < bench.scene.width; ++x) {
+        for (int y = 0; y < bench.setup.height; ++y)
+            for (int x = 0; x < bench.setup.width; ++x) {
                 bench.state.lower.thickness.set(x, y, bench.state.thickness.at(x, y) / 2);
                 PaintCell paint{};
                 paint[kBelow] = bench.state.paint.at(x, y)[kBelow];

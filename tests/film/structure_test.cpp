@@ -34,8 +34,8 @@ double worked_share(const Bench& bench, int x, int y) {
 }
 
 void work_all(Bench& bench) {
-    for (int y = 0; y < bench.scene.height; ++y)
-        for (int x = 0; x < bench.scene.width; ++x)
+    for (int y = 0; y < bench.setup.height; ++y)
+        for (int x = 0; x < bench.setup.width; ++x)
             bench.state.worked.thickness.set(x, y, bench.state.thickness.at(x, y));
 }
 
@@ -109,7 +109,7 @@ TEST(Structure, ComesToItsEquilibrium) {
     bench.carry_consistency();
     bench.run(0.02, 40.0);
     const double shear_per_s = 1.5 * bench.u(3, 4) / kThickness_mm;
-    const double strains = shear_per_s * bench.scene.recovery_s / bench.scene.breakdown_strain;
+    const double strains = shear_per_s * bench.setup.recovery_s / bench.setup.breakdown_strain;
     EXPECT_NEAR(worked_share(bench, 3, 4), strains / (1.0 + strains), 0.003);
 }
 
@@ -121,7 +121,7 @@ TEST(Structure, ComesBackAtRestAndIsForgotten) {
     for (int second = 1; second <= 5; ++second) {
         bench.run(0.1, 1.0);
         for (const int x : {1, 6})
-            EXPECT_NEAR(worked_share(bench, x, 3), std::exp(-second / bench.scene.recovery_s), 1e-4);
+            EXPECT_NEAR(worked_share(bench, x, 3), std::exp(-second / bench.setup.recovery_s), 1e-4);
     }
     bench.run(0.1, 40.0);
     EXPECT_FALSE(bench.state.worked.is_anywhere());
@@ -172,7 +172,7 @@ Scene drops(film::Scheme scheme, int threads = 1) {
 }
 
 void lay_drops(Bench& bench, bool mirrored = false) {
-    const auto place = [&](int x) { return mirrored ? bench.scene.width - 1 - x : x; };
+    const auto place = [&](int x) { return mirrored ? bench.setup.width - 1 - x : x; };
     bench.fill([&](int x, int y) {
         return blob(place(x), y, 70, 60, 18, 3.5) + blob(place(x), y, 20, 50, 9, 1);
     });
@@ -234,8 +234,8 @@ TEST_P(StructureOfEveryScheme, LosesNoPaintAndIsAlwaysAPartOfIt) {
             const Totals after = totals(bench.state), runoff = bench.solver->runoff();
             EXPECT_EQ(after.thickness + runoff.thickness, before.thickness);
             EXPECT_EQ(after.paint[3] + runoff.paint[3], before.paint[3]) << name_of(edges) << seed;
-            for (int y = 0; y < bench.scene.height; ++y)
-                for (int x = 0; x < bench.scene.width; ++x) {
+            for (int y = 0; y < bench.setup.height; ++y)
+                for (int x = 0; x < bench.setup.width; ++x) {
                     const std::int32_t worked = bench.state.worked.thickness.at(x, y);
                     ASSERT_GE(worked, 0);
                     ASSERT_LE(worked, bench.state.thickness.at(x, y)) << name_of(edges) << seed;

@@ -1,5 +1,7 @@
 #include "film/thin_film_cases.hpp"
 
+#include "film/validation/laws.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,7 +12,7 @@ namespace {
 using std::numbers::pi;
 
 double ripple_amplitude(const Bench& bench) {
-    const int n = bench.scene.width;
+    const int n = bench.setup.width;
     double cosine = 0, sine = 0;
     for (int x = 0; x < n; ++x) {
         cosine += bench.h(x, 1) * std::cos(2 * pi * (x + 0.5) / n);
@@ -19,16 +21,12 @@ double ripple_amplitude(const Bench& bench) {
     return std::hypot(cosine, sine) * 2 / n;
 }
 
-/// Cell mean times width of Huppert's sqrt(x/t) up to its front.
-double slope_profile(double a, double b, double t) {
-    b = std::min(b, std::cbrt(9 * 400 * t / 4));
-    if (b <= a) return 0.0;
-    return (std::pow(b, 1.5) - std::pow(a, 1.5)) * 2 / (3 * std::sqrt(t));
-}
+constexpr validation::SlopeCurrent kSlopeCurrent{.area = 20, .force = 30, .viscosity = 30};
+constexpr validation::RoundCurrent kRoundCurrent{.volume = 1500, .gravity = 10, .viscosity = 1};
 
 SlopeCurrent look_at_slope(const Bench& bench, double t) {
-    const int n = bench.scene.width;
-    const double cell = bench.scene.cell_mm;
+    const int n = bench.setup.width;
+    const double cell = bench.setup.cell_mm;
     int last = 0;
     for (int x = 0; x < n; ++x)
         if (bench.h(x, 1) > bench.h(last, 1)) last = x;
@@ -40,7 +38,7 @@ SlopeCurrent look_at_slope(const Bench& bench, double t) {
     current.front = (last + 0.5 + (here - half) / (here - next)) * cell;
     double area = 0;
     for (int x = 0; x < n; ++x) {
-        const double exact = slope_profile(x * cell, (x + 1) * cell, t) / cell;
+        const double exact = kSlopeCurrent.mean(x * cell, (x + 1) * cell, t);
         current.l1_error += std::abs(bench.h(x, 1) - exact);
         area += exact;
     }
@@ -48,28 +46,21 @@ SlopeCurrent look_at_slope(const Bench& bench, double t) {
     return current;
 }
 
-double axisymmetric_height(double r, double t) {
-    constexpr double kVolume = 1500, kGravity = 10;
-    const double front = 0.8944 * std::pow(kGravity * kVolume * kVolume * kVolume / 3 * t, 0.125);
-    const double s = r / front;
-    return s >= 1 ? 0.0 : 4 * kVolume / (3 * pi * front * front) * std::cbrt(1 - s * s);
-}
-
 SpreadDrop look_at_drop(const Bench& bench, double t) {
-    const int n = bench.scene.width;
+    const int n = bench.setup.width;
     const double middle = bench.h(n / 2, n / 2);
     int covered = 0;
     for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x)
             covered += bench.h(x, y) > 0.02 * middle ? 1 : 0;
-    return {t, std::sqrt(covered / pi) * bench.scene.cell_mm, middle};
+    return {t, std::sqrt(covered / pi) * bench.setup.cell_mm, middle};
 }
 
 }  // namespace
 
 double ripple_decay_rate(double gravity, double tension, int n) {
     const double k = 2 * pi / n, viscosity = 10;
-    const double rate = (gravity * k * k + tension * k * k * k * k) / (3 * viscosity);
+    const double rate = validation::ripple_rate(gravity, tension, 1.0, k, viscosity);
     Bench bench({.width = n,
                  .height = 4,
                  .gravity = gravity,
@@ -89,13 +80,13 @@ std::vector<SlopeCurrent> slope_current(double cell, const std::vector<double>& 
     Bench bench({.width = static_cast<int>(160 / cell),
                  .height = 4,
                  .cell_mm = cell,
-                 .force_x = 30,
-                 .viscosity = 30,
+                 .force_x = kSlopeCurrent.force,
+                 .viscosity = kSlopeCurrent.viscosity,
                  .edge_x = Edge::Wall,
                  .inertia = false,
                  .lateral = false});
     double t = 5.0;
-    bench.fill([&](int x, int) { return slope_profile(x * cell, (x + 1) * cell, t) / cell; });
+    bench.fill([&](int x, int) { return kSlopeCurrent.mean(x * cell, (x + 1) * cell, t); });
     std::vector<SlopeCurrent> results;
     for (const double wanted : times) {
         bench.run(0.05 * cell, wanted - t);
@@ -112,13 +103,13 @@ std::vector<SpreadDrop> axisymmetric_current(double cell, const std::vector<doub
     bench.fill([&](int x, int y) {
         double mean = 0;
         for (int sample = 0; sample < 16; ++sample)
-            mean += axisymmetric_height(std::hypot((x + (sample % 4 + 0.5) / 4) * cell - 48,
-                                                   (y + (sample / 4 + 0.5) / 4) * cell - 48),
-                                        1.0) /
+            mean += kRoundCurrent.h(std::hypot((x + (sample % 4 + 0.5) / 4) * cell - 48,
+                                               (y + (sample / 4 + 0.5) / 4) * cell - 48),
+                                    1.0) /
                     16;
         return mean;
     });
-    const double dt = 0.5 * bench.solver->stable_step_s(axisymmetric_height(0, 1.0));
+    const double dt = 0.5 * bench.solver->stable_step_s(kRoundCurrent.height(1.0));
     double t = 1.0;
     std::vector<SpreadDrop> results;
     for (const double wanted : times) {

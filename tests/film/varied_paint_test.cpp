@@ -68,8 +68,8 @@ TEST(VariedPaint, ThinnerSetsStandingOilInMotion) {
         bench, [](int, int) { return 900.0; }, [](int, int) { return 1.2 * kForce; });
     bench.run(0.01, 0.1);
     EXPECT_EQ(bench.v(7, 4), 0.0);
-    for (int y = 0; y < bench.scene.height; ++y)
-        for (int x = 0; x < bench.scene.width; ++x)
+    for (int y = 0; y < bench.setup.height; ++y)
+        for (int x = 0; x < bench.setup.width; ++x)
             bench.state.thickness.set(x, y, 3 * bench.state.thickness.at(x, y) / 2);
     bench.run(0.01, 2.0);
     // 1.5 mm of nu = 900^(2/3), tau = 0.8 kForce.
