@@ -4,6 +4,8 @@
 #include "appearance/theme.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "shade/outline.hpp"
+#include "view/canvas_shader.hpp"
 #include "view/canvas_view.hpp"
 #include "view/damaged_pixels.hpp"
 #include "view/guide_lines.hpp"
@@ -76,10 +78,12 @@ void CanvasView::upload_changes() {
     if (shown_ != wanted_ || retrace_) {
         if (shown_ == nullptr && !prepare_textures()) return;
         auto seen = tracing_ground_.below(wanted_, seen_tracing(), pool_);
+        if (shown_ == nullptr) outlines_.reset(wanted_->film.shape);
         const LayerChanges changes = layers_.update(shown_ == nullptr ? nullptr : seen_.get(), *seen,
                                                     lighting_, pool_, viewing_.to_rgb);
         textures_.upload_surface(layers_, changes.surface);
         textures_.upload_colours(changes.colours);
+        outlines_.forget(changes.tiles);
         shown_ = wanted_;
         seen_ = std::move(seen);
         retrace_ = false;
@@ -90,9 +94,28 @@ void CanvasView::upload_changes() {
     if (relook_) upload_new_look();
     if (recolour_) {
         textures_.upload_colours(CanvasLayers::recolour(*seen_, viewing_.to_rgb, pool_));
+        outlines_.forget_all();
         recolour_ = false;
         damage_all();
     }
+    if (draws_outlines()) upload_outlines();
+}
+
+bool CanvasView::draws_outlines() const {
+    return has_outlines(look_) && shade::outline_strength(view_.zoom) > 0.0F;
+}
+
+void CanvasView::upload_outlines() {
+    textures_.upload_outlines(outlines_.update(*seen_, seen_cells(), viewing_.to_rgb, pool_));
+}
+
+QRegion CanvasView::outlined_region() const {
+    QRegion region;
+    if (!draws_outlines()) return region;
+    // Half a cell farther is enough, where damage reaches two.
+    for (const QRect& cells : outlines_.cells_near(seen_cells()))
+        region += damaged_pixels(view_, cells.adjusted(1, 1, -1, -1));
+    return region;
 }
 
 void CanvasView::upload_shadows() {
@@ -130,8 +153,8 @@ QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
 }
 
 double CanvasView::shade_job(const ShadingPlan::Job& job) {
-    const Scene scene{&textures_, shown_->film.cell_mm, view_,          lighting_,
-                      look_,      scale_top_mm_,        viewing_.space, ground_colour()};
+    const Scene scene{&textures_,    shown_->film.cell_mm, view_,           lighting_,        look_,
+                      scale_top_mm_, viewing_.space,       ground_colour(), outlined_region()};
     double seconds = 0.0;
     for (const QRect& part : job.region)
         seconds += picture_.shade(part, job.quality, scene);

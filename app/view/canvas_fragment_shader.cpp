@@ -6,7 +6,7 @@ namespace pastoso::view {
 // two cells, so that no fetch has to look where the canvas ends.
 namespace {
 
-const char* const kShader = R"(
+const char* const kSurface = R"(
 uniform sampler2D surface_layers;      // spline coefficients of h, the shadow's height, the sky's share
 uniform sampler2D colour_and_wetness;
 uniform vec2 canvas_cells;
@@ -130,6 +130,34 @@ vec3 shade(SurfacePoint point) {
     return shoulder(point.colour * diffuse + highlight);
 }
 
+)";
+
+/// What shows the points: after that which knows of outlines.
+const char* const kPicture = R"(
+vec3 lit_at(vec2 cell) {
+    SurfacePoint point = surface_at(cell);
+    vec3 seen = shade(point);
+#if OUTLINED
+    if (outline_near(cell)) {
+        Sides sides = sides_at(cell, point);
+        seen = mix(seen, mix(shade(sides.dry), shade(sides.paint), sides.within), sides.strength);
+    }
+#endif
+    return seen;
+}
+
+vec3 flat_at(vec2 cell) {
+    SurfacePoint point = surface_at(cell);
+    vec3 seen = point.colour;
+#if OUTLINED
+    if (outline_near(cell)) {
+        Sides sides = sides_at(cell, point);
+        seen = mix(seen, mix(sides.dry.colour, sides.paint.colour, sides.within), sides.strength);
+    }
+#endif
+    return seen;
+}
+
 // pigment/colour.hpp: half clipped, half moved towards the grey of the same luminance.
 vec3 into_gamut(vec3 colour) {
     float grey = clamp(dot(luminance_weights, colour), 0.0, 1.0);
@@ -147,7 +175,7 @@ vec3 encode_srgb(vec3 linear) {
 }
 
 #if LOOK == 0
-vec3 sample_at(vec2 cell) { return shade(surface_at(cell)); }
+vec3 sample_at(vec2 cell) { return lit_at(cell); }
 vec3 on_screen(vec3 mean) { return encode_srgb(into_gamut(mean)); }
 #else
 uniform sampler2D look_thickness;      // mm
@@ -178,17 +206,17 @@ vec3 wet_over(vec3 lit, float wet_mm) {
 
 // Encoded.
 vec3 sample_at(vec2 cell) {
-    SurfacePoint point = surface_at(cell);
 #if LOOK == 1
-    return wet_over(shade(point), look_thickness_at(cell));
+    return wet_over(lit_at(cell), look_thickness_at(cell));
 #elif LOOK == 2
     float share = look_thickness_at(cell) / scale_top_mm;
     return height_colours[int(clamp(floor(10.0 * share), 0.0, 9.0))];
 #elif LOOK == 3
-    vec3 normal = normalize(vec3(-point.slope.x, point.slope.y, 1.0));
+    vec2 slope = surface_at(cell).slope;
+    vec3 normal = normalize(vec3(-slope.x, slope.y, 1.0));
     return 0.5 + 0.5 * normal;
 #else
-    return encode_srgb(into_gamut(point.colour));
+    return encode_srgb(into_gamut(flat_at(cell)));
 #endif
 }
 
@@ -226,8 +254,14 @@ void main() {
 
 }  // namespace
 
-std::string canvas_fragment_shader(Look look) {
-    return "#version 330 core\n#define LOOK " + std::to_string(static_cast<int>(look)) + kShader;
+bool has_outlines(Look look) {
+    return look == Look::Lit || look == Look::Wet || look == Look::Flat;
+}
+
+std::string canvas_fragment_shader(Look look, bool outlined) {
+    return "#version 330 core\n#define LOOK " + std::to_string(static_cast<int>(look)) +
+           "\n#define OUTLINED " + (outlined ? "1" : "0") + kSurface + (outlined ? kOutlineShader : "") +
+           kPicture;
 }
 
 }  // namespace pastoso::view

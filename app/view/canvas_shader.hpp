@@ -11,9 +11,15 @@ namespace pastoso::view {
 /// One triangle that covers the viewport.
 extern const char* const kCanvasVertexShader;
 
-/// A pixel of the window: the canvas, or the ground around it. Every look has a program of its own: on a
-/// processor one with branches computes all of them.
-std::string canvas_fragment_shader(Look look);
+/// The part of it that knows on which side of an outline a point lies.
+extern const char* const kOutlineShader;
+
+/// Whether a look shows where wet paint ends.
+bool has_outlines(Look look);
+
+/// A pixel of the window: the canvas, or the ground around it. Every look has a program of its own, and
+/// one that draws outlines: on a processor one with branches computes all of them.
+std::string canvas_fragment_shader(Look look, bool outlined);
 
 /// Lines over the picture, their places in millimetres.
 extern const char* const kLineVertexShader;

@@ -27,7 +27,9 @@ void CanvasTextures::release() {
     gl_->glDeleteTextures(1, &surface_);
     gl_->glDeleteTextures(1, &colour_);
     gl_->glDeleteTextures(1, &look_);
-    surface_ = colour_ = look_ = 0;
+    gl_->glDeleteTextures(1, &outline_);
+    gl_->glDeleteTextures(1, &dry_);
+    surface_ = colour_ = look_ = outline_ = dry_ = 0;
 }
 
 GLuint CanvasTextures::make_texture(GLenum internal_format, GLenum format) {
@@ -73,14 +75,35 @@ void CanvasTextures::upload_look(const std::vector<LookPatch>& patches) {
     }
 }
 
-void CanvasTextures::bind(int surface_unit, int colour_unit, int look_unit) {
-    gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(surface_unit));
-    gl_->glBindTexture(GL_TEXTURE_2D, surface_);
-    gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(colour_unit));
-    gl_->glBindTexture(GL_TEXTURE_2D, colour_);
-    gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(look_unit));
-    gl_->glBindTexture(GL_TEXTURE_2D, look_);
+void CanvasTextures::upload_outlines(const std::vector<OutlinePatch>& patches) {
+    if (outline_ == 0) outline_ = make_texture(GL_RGBA32F, GL_RGBA);
+    if (dry_ == 0) dry_ = make_texture(GL_RGBA16F, GL_RGBA);
+    const auto put = [this](GLuint texture, const grid::Rect& cells, const void* values) {
+        gl_->glBindTexture(GL_TEXTURE_2D, texture);
+        gl_->glTexSubImage2D(GL_TEXTURE_2D, 0, cells.x0 + kLayerBorder, cells.y0 + kLayerBorder,
+                             cells.width(), cells.height(), GL_RGBA, GL_FLOAT, values);
+    };
+    for (const OutlinePatch& patch : patches) {
+        put(outline_, patch.cells, patch.outline.data());
+        put(dry_, patch.cells, patch.dry.data());
+    }
+}
+
+void CanvasTextures::bind_to(int unit, GLuint texture) {
+    gl_->glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    gl_->glBindTexture(GL_TEXTURE_2D, texture);
     gl_->glActiveTexture(GL_TEXTURE0);
+}
+
+void CanvasTextures::bind(int surface_unit, int colour_unit, int look_unit) {
+    bind_to(surface_unit, surface_);
+    bind_to(colour_unit, colour_);
+    bind_to(look_unit, look_);
+}
+
+void CanvasTextures::bind_outline(int outline_unit, int dry_unit) {
+    bind_to(outline_unit, outline_);
+    bind_to(dry_unit, dry_);
 }
 
 }  // namespace pastoso::view

@@ -3,6 +3,7 @@
 
 #include "grid/shape.hpp"
 #include "view/canvas_layers.hpp"
+#include "view/canvas_outlines.hpp"
 #include "view/look_layer.hpp"
 
 #include <QOpenGLExtraFunctions>
@@ -20,11 +21,15 @@ class CanvasTextures {
     void upload_colours(const std::vector<ColourPatch>& patches);
     /// What a look shows; the texture for it is made when it is first wanted.
     void upload_look(const std::vector<LookPatch>& patches);
+    /// What outlines are drawn from; the textures for it are made when they are first wanted.
+    void upload_outlines(const std::vector<OutlinePatch>& patches);
     void bind(int surface_unit, int colour_unit, int look_unit);
+    void bind_outline(int outline_unit, int dry_unit);
 
     const grid::Shape& shape() const { return shape_; }
 
   private:
+    void bind_to(int unit, GLuint texture);
     GLuint make_texture(GLenum internal_format, GLenum format);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
@@ -32,6 +37,8 @@ class CanvasTextures {
     GLuint surface_ = 0;
     GLuint colour_ = 0;
     GLuint look_ = 0;
+    GLuint outline_ = 0;
+    GLuint dry_ = 0;
 };
 
 }  // namespace pastoso::view

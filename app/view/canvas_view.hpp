@@ -187,6 +187,9 @@ class CanvasView : public graphics::GraphicsWidget {
   private:
     void upload_changes();
     void upload_shadows();
+    bool draws_outlines() const;
+    void upload_outlines();
+    QRegion outlined_region() const;
     void upload_look(const std::vector<int>& tiles);
     void upload_new_look();
     void place_legend();
@@ -253,6 +256,7 @@ class CanvasView : public graphics::GraphicsWidget {
     document::Surface surface_;
     core::ThreadPool pool_;
     CanvasLayers layers_;
+    CanvasOutlines outlines_;
     CanvasTextures textures_;
     PictureBuffer picture_;
     LineOverlay overlay_;

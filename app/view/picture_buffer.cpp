@@ -16,6 +16,8 @@ namespace {
 constexpr int kSurfaceUnit = 0;
 constexpr int kColourUnit = 1;
 constexpr int kLookUnit = 2;
+constexpr int kOutlineUnit = 3;
+constexpr int kDryUnit = 4;
 constexpr int kCoarsePixel = 2;
 
 QRect whole(QSize size) {
@@ -43,18 +45,24 @@ void set_scissor(QOpenGLExtraFunctions& gl, const QRect& part) {
 
 void PictureBuffer::initialise(QOpenGLExtraFunctions* gl) {
     gl_ = gl;
-    program_of(Look::Lit);
+    prepare(Look::Lit);
     gl_->glGenVertexArrays(1, &vertex_array_);
 }
 
-QOpenGLShaderProgram& PictureBuffer::program_of(Look look) {
-    std::unique_ptr<QOpenGLShaderProgram>& program = programs_[look];
+void PictureBuffer::prepare(Look look) {
+    program_of({look, false});
+    if (has_outlines(look)) program_of({look, true});
+}
+
+QOpenGLShaderProgram& PictureBuffer::program_of(const ProgramKind& kind) {
+    std::unique_ptr<QOpenGLShaderProgram>& program = programs_[kind];
     if (program != nullptr) return *program;
     program = std::make_unique<QOpenGLShaderProgram>();
-    const bool linked = program->addShaderFromSourceCode(QOpenGLShader::Vertex, kCanvasVertexShader) &&
-                        program->addShaderFromSourceCode(QOpenGLShader::Fragment,
-                                                         canvas_fragment_shader(look).c_str()) &&
-                        program->link();
+    const bool linked =
+        program->addShaderFromSourceCode(QOpenGLShader::Vertex, kCanvasVertexShader) &&
+        program->addShaderFromSourceCode(QOpenGLShader::Fragment,
+                                         canvas_fragment_shader(kind.first, kind.second).c_str()) &&
+        program->link();
     if (!linked) {
         throw core::InputError("The graphics driver refuses the program that shades the canvas: " +
                                program->log().simplified().toStdString());
@@ -81,33 +89,48 @@ void PictureBuffer::resize(QSize window_px) {
 double PictureBuffer::shade(const QRect& part, Quality quality, const Scene& scene) {
     QElapsedTimer timer;
     timer.start();
+    const QRegion outlines = has_outlines(scene.look) ? scene.outlines & part : QRegion();
     if (quality == Quality::Coarse) {
         const QRect coarse = coarse_part(part, size_);
-        draw(coarse, *coarse_, {kCoarsePixel, 1}, scene);
+        QRegion coarse_outlines;
+        for (const QRect& rect : outlines)
+            coarse_outlines += coarse_part(rect, size_);
+        draw(QRegion(coarse) - coarse_outlines, *coarse_, {kCoarsePixel, 1}, scene, false);
+        draw(coarse_outlines, *coarse_, {kCoarsePixel, 1}, scene, true);
         enlarge_coarse(coarse, part);
     } else {
-        draw(part, *picture_, {1, samples_per_side(quality, scene.view.zoom)}, scene);
+        const Sampling sampling{1, samples_per_side(quality, scene.view.zoom)};
+        draw(QRegion(part) - outlines, *picture_, sampling, scene, false);
+        draw(outlines, *picture_, sampling, scene, true);
     }
     gl_->glFinish();
     return 1e-9 * static_cast<double>(timer.nsecsElapsed());
 }
 
-void PictureBuffer::draw(const QRect& part, QOpenGLFramebufferObject& target, const Sampling& sampling,
-                         const Scene& scene) {
+void PictureBuffer::draw(const QRegion& parts, QOpenGLFramebufferObject& target,
+                         const Sampling& sampling, const Scene& scene, bool outlined) {
+    if (parts.isEmpty()) return;
     target.bind();
     gl_->glViewport(0, 0, target.width(), target.height());
-    set_scissor(*gl_, part);
     gl_->glDisable(GL_BLEND);
     gl_->glDisable(GL_DEPTH_TEST);
-    QOpenGLShaderProgram& program = program_of(scene.look);
+    QOpenGLShaderProgram& program = program_of({scene.look, outlined});
     program.bind();
     scene.canvas->bind(kSurfaceUnit, kColourUnit, kLookUnit);
     program.setUniformValue("surface_layers", kSurfaceUnit);
     program.setUniformValue("colour_and_wetness", kColourUnit);
     program.setUniformValue("look_thickness", kLookUnit);
+    if (outlined) {
+        scene.canvas->bind_outline(kOutlineUnit, kDryUnit);
+        program.setUniformValue("outline_layers", kOutlineUnit);
+        program.setUniformValue("dry_colours", kDryUnit);
+    }
     set_shading_uniforms(program, scene, sampling);
     gl_->glBindVertexArray(vertex_array_);
-    gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    for (const QRect& part : parts) {
+        set_scissor(*gl_, part);
+        gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
     gl_->glBindVertexArray(0);
     program.release();
     gl_->glDisable(GL_SCISSOR_TEST);

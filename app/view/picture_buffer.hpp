@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
@@ -25,7 +26,7 @@ class PictureBuffer {
     void release();
 
     /// Makes the program for a look, which else is made when it is first shaded. Throws as initialise().
-    void prepare(Look look) { program_of(look); }
+    void prepare(Look look);
 
     /// Forgets the picture when the size is another.
     void resize(QSize window_px);
@@ -38,14 +39,17 @@ class PictureBuffer {
     void copy_to(GLuint framebuffer);
 
   private:
-    QOpenGLShaderProgram& program_of(Look look);
-    void draw(const QRect& part, QOpenGLFramebufferObject& target, const Sampling& sampling,
-              const Scene& scene);
+    /// The program for a look, and whether that draws outlines.
+    using ProgramKind = std::pair<Look, bool>;
+
+    QOpenGLShaderProgram& program_of(const ProgramKind& kind);
+    void draw(const QRegion& parts, QOpenGLFramebufferObject& target, const Sampling& sampling,
+              const Scene& scene, bool outlined);
     void enlarge_coarse(const QRect& coarse, const QRect& part);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
     QSize size_;
-    std::map<Look, std::unique_ptr<QOpenGLShaderProgram>> programs_;  ///< made when they are wanted
+    std::map<ProgramKind, std::unique_ptr<QOpenGLShaderProgram>> programs_;  ///< made when wanted
     // Both hold the window's top row first.
     std::unique_ptr<QOpenGLFramebufferObject> picture_;
     std::unique_ptr<QOpenGLFramebufferObject> coarse_;

@@ -5,6 +5,8 @@
 #include "view/canvas_textures.hpp"
 #include "view/view_transform.hpp"
 
+#include <QRegion>
+
 namespace pastoso::view {
 
 struct Scene {
@@ -16,6 +18,7 @@ struct Scene {
     double scale_top_mm = 1.0;  ///< of Look::Height
     pigment::WorkingSpace space = pigment::WorkingSpace::Srgb;
     Rgb ground{};  ///< around the canvas, as the screen takes it
+    QRegion outlines{};  ///< device pixels in which they are drawn
 };
 
 }  // namespace pastoso::view

@@ -1,5 +1,6 @@
 #include "view/shading_uniforms.hpp"
 
+#include "shade/outline.hpp"
 #include "shade/sampling.hpp"
 #include "shade/shading_model.hpp"
 #include "view/uniform_values.hpp"
@@ -51,6 +52,7 @@ void set_shading_uniforms(QOpenGLShaderProgram& program, const Scene& scene, con
     program.setUniformValue("px_per_cell", static_cast<float>(scene.view.zoom));
     program.setUniformValue("pixel_size", static_cast<float>(sampling.pixel_size));
     program.setUniformValue("samples_per_side", sampling.samples_per_side);
+    program.setUniformValue("outline_strength", shade::outline_strength(scene.view.zoom));
     program.setUniformValue("colour_sharpness", shade::colour_sharpness(scene.view.zoom));
     const std::array<float, 3> weights = pigment::luminance_weights(scene.space);
     program.setUniformValue("luminance_weights", QVector3D(weights[0], weights[1], weights[2]));

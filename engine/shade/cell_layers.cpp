@@ -12,15 +12,6 @@ using grid::Rect;
 
 constexpr int kBandRows = 64;
 
-/// Stretches of rows that together make up the rectangle.
-std::vector<Rect> bands_of(const Rect& cells) {
-    std::vector<Rect> bands;
-    for (int y = cells.y0; y < cells.y1; y += kBandRows) {
-        bands.push_back({cells.x0, y, cells.x1, std::min(y + kBandRows, cells.y1)});
-    }
-    return bands;
-}
-
 void fill_band(const film::FilmState& film, const pigment::Bands& ground, const Rect& band,
                const pigment::BandsToRgb& to_rgb, const Lighting& lighting, const HeightRange& range,
                CellLayers& layers) {
@@ -33,6 +24,14 @@ void fill_band(const film::FilmState& film, const pigment::Bands& ground, const 
 }
 
 }  // namespace
+
+std::vector<Rect> bands_of(const Rect& cells) {
+    std::vector<Rect> bands;
+    for (int y = cells.y0; y < cells.y1; y += kBandRows) {
+        bands.push_back({cells.x0, y, cells.x1, std::min(y + kBandRows, cells.y1)});
+    }
+    return bands;
+}
 
 LayerRows CellLayers::rows_from(int first_row) const {
     LayerRows rows;

@@ -28,6 +28,9 @@ struct CellLayers {
     LayerRows rows_from(int first_row) const;
 };
 
+/// Stretches of rows that together make up the rectangle, for the threads.
+std::vector<grid::Rect> bands_of(const grid::Rect& cells);
+
 /// `range` is that of the whole canvas.
 CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
                        const grid::Rect& cells, const Lighting& lighting, const HeightRange& range,

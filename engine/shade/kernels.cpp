@@ -12,8 +12,13 @@ void shade_row(const LayerRows& rows, const AxisWeights& row_weights, const Samp
                float cell_mm, const ShadingConstants& light, float* rgb);
 void sample_row(const LayerRows& rows, const AxisWeights& row_weights, const SampleColumns& columns,
                 float cell_mm, SurfaceSample* out);
+void outline_row(const LayerRows& rows, const OutlineRows& outline, const AxisWeights& row_weights,
+                 const SampleColumns& columns, const OutlineSampling& sampling,
+                 const ShadingConstants& light, float* rgb);
+void outline_samples(const LayerRows& rows, const OutlineRows& outline, const AxisWeights& row_weights,
+                     const SampleColumns& columns, const OutlineSampling& sampling, SurfaceSample* out);
 
 }  // namespace pastoso::shade::PASTOSO_ISA
 
 PASTOSO_REGISTER_KERNELS(pastoso::shade, Kernels, colour_cells, add_horizon, raise_shadow, shade_row,
-                         sample_row)
+                         sample_row, outline_row, outline_samples)

@@ -22,6 +22,13 @@ struct CellStack {
     const film::StrataOptics* strata;
 };
 
+/// How an outline is sampled.
+struct OutlineSampling {
+    float cell_mm;
+    float width_cells;  ///< of a sample
+    float strength;     ///< outline_strength()
+};
+
 struct Kernels {
     /// The colours of `count` cells.
     void (*colour_cells)(const CellStack& cells, int count, const pigment::Bands& bare_ground,
@@ -44,6 +51,14 @@ struct Kernels {
     /// What lies at one row of samples.
     void (*sample_row)(const LayerRows& rows, const AxisWeights& row_weights,
                        const SampleColumns& columns, float cell_mm, SurfaceSample* out);
+
+    /// The same of a picture that is enlarged, with outlines.
+    void (*outline_row)(const LayerRows& rows, const OutlineRows& outline,
+                        const AxisWeights& row_weights, const SampleColumns& columns,
+                        const OutlineSampling& sampling, const ShadingConstants& light, float* rgb);
+    void (*outline_samples)(const LayerRows& rows, const OutlineRows& outline,
+                            const AxisWeights& row_weights, const SampleColumns& columns,
+                            const OutlineSampling& sampling, SurfaceSample* out);
 
     static const Kernels baseline, avx2, avx512;
 };

@@ -5,6 +5,8 @@
 #include "shade/cell_layers.hpp"
 #include "shade/cell_span.hpp"
 #include "shade/kernels.hpp"
+#include "shade/outline.hpp"
+#include "shade/outline_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +72,11 @@ Frame frame_of(const Lattice& lattice, const Rect& pixels) {
     return {lattice, pixels, samples, block_side(lattice.scale_x), block_side(lattice.scale_y)};
 }
 
+OutlineSampling outline_sampling(const Frame& frame, float cell_mm) {
+    const double scale = std::min(frame.lattice.scale_x, frame.lattice.scale_y);
+    return {cell_mm, static_cast<float>(1.0 / (scale * frame.samples)), outline_strength(scale)};
+}
+
 /// The cells below some pixels.
 Rect cells_below(const Lattice& lattice, const Rect& pixels) {
     const auto cell = [](double origin, int pixel, double scale) {
@@ -109,16 +116,23 @@ void add_samples(const std::vector<SurfaceSample>& row, int samples, int pixels,
     }
 }
 
+/// The layers below a picture; those of the outline are empty where it is not drawn.
+struct Canvas {
+    CellLayers layers;
+    OutlineLayers outline;
+};
+
 struct Wanted {
     const ShadingConstants& light;
-    float cell_mm;
+    OutlineSampling sampling;
     pigment::LinearImage* lit;
     SurfaceSamples* surface;
 };
 
-void render_block(const CellLayers& layers, const Frame& frame, const Rect& block,
-                  const Wanted& wanted) {
+void render_block(const Canvas& canvas, const Frame& frame, const Rect& block, const Wanted& wanted) {
     const int n = frame.samples;
+    const CellLayers& layers = canvas.layers;
+    const bool outlined = wanted.sampling.strength > 0.0F;
     const SampleColumns columns(
         sample_axis(frame.columns(), block.x0 * n, block.width() * n, layers.cells.x0));
     const SampleAxis lines =
@@ -131,11 +145,21 @@ void render_block(const CellLayers& layers, const Frame& frame, const Rect& bloc
         const LayerRows rows = layers.rows_from(lines.first_cell[i]);
         const std::ptrdiff_t pixel = frame.index(block, i / n);
         if (wanted.lit != nullptr) {
-            kernel.shade_row(rows, lines.weights[i], columns, wanted.cell_mm, wanted.light, lit.data());
+            if (outlined)
+                kernel.outline_row(rows, canvas.outline.rows_from(lines.first_cell[i]), lines.weights[i],
+                                   columns, wanted.sampling, wanted.light, lit.data());
+            else
+                kernel.shade_row(rows, lines.weights[i], columns, wanted.sampling.cell_mm, wanted.light,
+                                 lit.data());
             add_samples(lit, n, block.width(), wanted.lit->rgb.data() + 3 * pixel);
         }
         if (wanted.surface != nullptr) {
-            kernel.sample_row(rows, lines.weights[i], columns, wanted.cell_mm, surface.data());
+            if (outlined)
+                kernel.outline_samples(rows, canvas.outline.rows_from(lines.first_cell[i]),
+                                       lines.weights[i], columns, wanted.sampling, surface.data());
+            else
+                kernel.sample_row(rows, lines.weights[i], columns, wanted.sampling.cell_mm,
+                                  surface.data());
             add_samples(surface, n, block.width(), wanted.surface->samples.data() + pixel);
         }
     }
@@ -175,9 +199,13 @@ void Renderer::render(const Rect& pixels, pigment::LinearImage* lit, SurfaceSamp
     PASTOSO_CHECK(grid::intersection(pixels, {0, 0, lattice_.width, lattice_.height}) == pixels);
     const ShadingConstants light = shading_constants(settings_.lighting);
     const Frame frame = frame_of(lattice_, pixels);
-    const CellLayers layers =
+    const OutlineSampling sampling = outline_sampling(frame, static_cast<float>(film_.cell_mm));
+    Canvas canvas;
+    canvas.layers =
         cell_layers(film_, ground_, grown(cells_below(lattice_, pixels), kMargin), settings_.lighting,
                     {lowest_mm_, highest_mm_}, pool_, settings_.viewing.to_rgb);
+    if (sampling.strength > 0.0F)
+        canvas.outline = outline_layers(film_, ground_, canvas.layers, pool_, settings_.viewing.to_rgb);
     const std::size_t count = static_cast<std::size_t>(pixels.width()) * pixels.height();
     if (lit != nullptr) {
         *lit = {pixels.width(), pixels.height(), std::vector<float>(3 * count), settings_.viewing.space};
@@ -185,10 +213,10 @@ void Renderer::render(const Rect& pixels, pigment::LinearImage* lit, SurfaceSamp
     if (surface != nullptr) {
         *surface = {pixels.width(), pixels.height(), std::vector<SurfaceSample>(count)};
     }
-    const Wanted wanted{light, static_cast<float>(film_.cell_mm), lit, surface};
+    const Wanted wanted{light, sampling, lit, surface};
     pool_.run(static_cast<std::size_t>(frame.blocks_x()) * frame.blocks_y(),
               [&](std::size_t index, int) {
-                  render_block(layers, frame, frame.block(static_cast<int>(index)), wanted);
+                  render_block(canvas, frame, frame.block(static_cast<int>(index)), wanted);
               });
 }
 

@@ -4,6 +4,7 @@
 #include "shade/tile_colour.hpp"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace pastoso::shade {
@@ -57,6 +58,13 @@ inline constexpr int kMaxRowCells = 160;
 struct LayerRows {
     std::array<const float*, 4> height, shadow, sky;
     std::array<const CellColour*, 4> colour;
+};
+
+/// Four neighbouring rows of the layers of an outline (outline_layers.hpp).
+struct OutlineRows {
+    std::array<const float*, 4> share, sharp, cover, support;
+    std::array<const CellColour*, 4> covered, dry;
+    const std::uint8_t* near;  ///< of the first row
 };
 
 }  // namespace pastoso::shade

@@ -1,6 +1,6 @@
 // The shading equation, for one point of the picture. The window's shader computes the same from the
-// same five layers of cell values (cell_layers.hpp); lengths in mm, directions in the image's frame: x
-// right, y down, z out of the canvas.
+// same five layers of cell values (cell_layers.hpp), and on both sides of outlines (outline_layers.hpp);
+// lengths in mm, directions in the image's frame: x right, y down, z out of the canvas.
 //
 //   n   = (-h_x, -h_y, 1) / sqrt(1 + h_x^2 + h_y^2)    normal; h from the B-spline (grid/bspline.hpp)
 //   V   = 1 - smoothstep(0, softness, shadow - h)       share of the light that arrives

@@ -19,7 +19,7 @@ struct LightPath {
     int x = 1, y = 1;  ///< signs
     double share = 0.0;
     double drop_mm = 0.0;  ///< of a ray of light over a step
-    int count = 0;         ///< as far as shadows reach
+    int count = 1;         ///< as far as shadows reach, and one on
 };
 
 LightPath light_path(const Lighting& lighting, double cell_mm, const HeightRange& range) {
@@ -33,7 +33,7 @@ LightPath light_path(const Lighting& lighting, double cell_mm, const HeightRange
     path.y = y < 0.0 ? -1 : 1;
     path.share = minor / major;
     path.drop_mm = cell_mm / major * std::tan(core::radians(lighting.elevation_deg));
-    path.count = static_cast<int>((range.highest_mm - range.lowest_mm) / path.drop_mm);
+    path.count = static_cast<int>((range.highest_mm - range.lowest_mm) / path.drop_mm) + 1;
     return path;
 }
 
@@ -64,6 +64,7 @@ Crossing crossing(const LightPath& path, int step, std::ptrdiff_t stride) {
 
 void fill_heights(const film::FilmState& film, const Rect& cells, const LightPath& path, float lowest_mm,
                   float* out, int stride) {
+    const auto lit_mm = static_cast<float>(lowest_mm - path.drop_mm);
     const Rect area = with_casters(cells, path);
     std::vector<float> heights(static_cast<std::size_t>(area.width()) * area.height());
     surface_means(film, area, heights.data(), area.width());
@@ -72,7 +73,7 @@ void fill_heights(const film::FilmState& film, const Rect& cells, const LightPat
         float* row = out + static_cast<std::ptrdiff_t>(y - cells.y0) * stride;
         const float* height = heights.data() + static_cast<std::ptrdiff_t>(y - area.y0) * area.width() +
                               (cells.x0 - area.x0);
-        std::fill_n(row, cells.width(), lowest_mm);
+        std::fill_n(row, cells.width(), lit_mm);
         for (int step = 1; step <= path.count; ++step) {
             const Crossing between = crossing(path, step, area.width());
             kernel.raise_shadow(height + between.near, height + between.far, between.far_share,

@@ -11,11 +11,12 @@ namespace pastoso::shade {
 ///
 ///     S(p) = max over t > 0 of h(p + t d) - t tan(elevation),    d: towards the light, unit length
 ///
-/// or the lowest height of the canvas where that is higher. The surface itself is compared with S only
-/// where the picture is sampled, so that the shadow's edge follows the interpolated surface and not the
-/// cells. The maximum is taken over the lines of cells that cross d, between whose cell means h is
-/// interpolated linearly, as far as a shadow within `range` can reach; `range` is that of the whole
-/// canvas. `stride` floats from row to row.
+/// or what the light drops over one line of cells below the lowest height of the canvas where that is
+/// higher: beside a shadow S goes on falling, so that between the cells it is told where it ends. The
+/// surface itself is compared with S only where the picture is sampled, so that the shadow's edge
+/// follows the interpolated surface and not the cells. The maximum is taken over the lines of cells that
+/// cross d, between whose cell means h is interpolated linearly, as far as a shadow within `range` can
+/// reach; `range` is that of the whole canvas. `stride` floats from row to row.
 void shadow_heights(const film::FilmState& film, const grid::Rect& cells, const Lighting& lighting,
                     const HeightRange& range, float* out, int stride);
 

@@ -58,19 +58,7 @@ void gather_support(const film::FilmState& film, const Rect& cells, float* out) 
     fill_beyond_edges(film.shape, cells, out, cells.width(), fill);
 }
 
-void gather_thickness(const film::FilmState& film, const Rect& cells, float* out) {
-    const auto fill = [&film](const Rect& part, float* target, int stride) {
-        gather_cells(film.shape, part, target, stride, [&](int tile, int cell, int count, float* to) {
-            const std::int32_t* thickness = film.thickness.read(tile) + cell;
-            for (int i = 0; i < count; ++i)
-                to[i] = film::thickness_mm(thickness[i]);
-        });
-    };
-    fill_beyond_edges(film.shape, cells, out, cells.width(), fill);
-}
-
-void support_coefficients(const film::FilmState& film, const Rect& cells, Means& means, float* out,
-                          int stride) {
+void put_support(const film::FilmState& film, const Rect& cells, Means& means, float* out, int stride) {
     gather_support(film, means.margin, means.values.data());
     filter_columns(means, cells.height());
     for (int y = 0; y < cells.height(); ++y) {
@@ -79,9 +67,8 @@ void support_coefficients(const film::FilmState& film, const Rect& cells, Means&
     }
 }
 
-void add_paint_coefficients(const film::FilmState& film, const Rect& cells, Means& means, float* out,
-                            int stride) {
-    gather_thickness(film, means.margin, means.values.data());
+void add_paint(const film::FilmState& film, const Rect& cells, Means& means, float* out, int stride) {
+    thickness_means(film, means.margin, means.values.data(), means.margin.width());
     filter_columns(means, cells.height());
     for (int y = 0; y < cells.height(); ++y) {
         float* row = out + static_cast<std::ptrdiff_t>(y) * stride;
@@ -107,6 +94,18 @@ HeightRange range_of(const film::FilmState& film, const Fill& fill) {
 
 }  // namespace
 
+void thickness_means(const film::FilmState& film, const Rect& cells, float* out, int stride) {
+    const auto fill = [&film](const Rect& part, float* target, int target_stride) {
+        gather_cells(film.shape, part, target, target_stride,
+                     [&](int tile, int cell, int count, float* to) {
+                         const std::int32_t* thickness = film.thickness.read(tile) + cell;
+                         for (int i = 0; i < count; ++i)
+                             to[i] = film::thickness_mm(thickness[i]);
+                     });
+    };
+    fill_beyond_edges(film.shape, cells, out, stride, fill);
+}
+
 void surface_means(const film::FilmState& film, const Rect& cells, float* out, int stride) {
     const auto fill = [&film](const Rect& part, float* target, int target_stride) {
         gather_cells(film.shape, part, target, target_stride,
@@ -123,8 +122,26 @@ void surface_means(const film::FilmState& film, const Rect& cells, float* out, i
 void height_coefficients(const film::FilmState& film, const Rect& cells, float* out, int stride) {
     const auto fill = [&film](const Rect& part, float* target, int target_stride) {
         Means means(part);
-        support_coefficients(film, part, means, target, target_stride);
-        add_paint_coefficients(film, part, means, target, target_stride);
+        put_support(film, part, means, target, target_stride);
+        add_paint(film, part, means, target, target_stride);
+    };
+    fill_beyond_edges(film.shape, cells, out, stride, fill);
+}
+
+void support_coefficients(const film::FilmState& film, const Rect& cells, float* out, int stride) {
+    const auto fill = [&film](const Rect& part, float* target, int target_stride) {
+        Means means(part);
+        put_support(film, part, means, target, target_stride);
+    };
+    fill_beyond_edges(film.shape, cells, out, stride, fill);
+}
+
+void paint_coefficients(const film::FilmState& film, const Rect& cells, float* out, int stride) {
+    const auto fill = [&film](const Rect& part, float* target, int target_stride) {
+        for (int y = 0; y < part.height(); ++y)
+            std::fill_n(target + static_cast<std::ptrdiff_t>(y) * target_stride, part.width(), 0.0F);
+        Means means(part);
+        add_paint(film, part, means, target, target_stride);
     };
     fill_beyond_edges(film.shape, cells, out, stride, fill);
 }

@@ -10,10 +10,17 @@ namespace pastoso::shade {
 /// it.
 void surface_means(const film::FilmState& film, const grid::Rect& cells, float* out, int stride);
 
+/// Thickness of the wet paint alone, the same way.
+void thickness_means(const film::FilmState& film, const grid::Rect& cells, float* out, int stride);
+
 /// The coefficients of the cubic B-spline (grid/bspline.hpp) that has these means, in mm, the same way.
 /// Those of the paint are kept from being negative: where paint ends the spline would otherwise dip
 /// below the support and draw a dark line around every stroke. With them the spline cannot.
 void height_coefficients(const film::FilmState& film, const grid::Rect& cells, float* out, int stride);
+
+/// Their two parts: of the dry surface, as if no wet paint lay on it, and of the wet paint.
+void support_coefficients(const film::FilmState& film, const grid::Rect& cells, float* out, int stride);
+void paint_coefficients(const film::FilmState& film, const grid::Rect& cells, float* out, int stride);
 
 /// The lowest and the highest of the cell means.
 struct HeightRange {

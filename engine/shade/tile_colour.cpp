@@ -3,6 +3,9 @@
 #include "shade/cell_span.hpp"
 #include "shade/kernels.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace pastoso::shade {
 namespace {
 
@@ -16,6 +19,21 @@ CellStack cell_stack(const film::FilmState& film, int tile, int first) {
             film.thickness.read(tile) + first,
             soluble ? strata.soluble_pigment.read(tile) + first : nullptr,
             fixed ? strata.optics.read(tile) + first : nullptr};
+}
+
+/// The same without the wet paint.
+CellStack dry_stack(const film::FilmState& film, int tile, int first) {
+    static constexpr std::array<film::PaintCell, grid::kTileCells> kNoPaint{};
+    static constexpr std::array<std::int32_t, grid::kTileCells> kNoThickness{};
+    CellStack cells = cell_stack(film, tile, first);
+    cells.paint = kNoPaint.data();
+    cells.lower = nullptr;
+    cells.thickness = kNoThickness.data();
+    return cells;
+}
+
+bool is_bare(const CellStack& cells) {
+    return cells.soluble == nullptr && cells.strata == nullptr;
 }
 
 }  // namespace
@@ -33,6 +51,21 @@ void cell_colours(const film::FilmState& film, const grid::Rect& cells, const pi
         gather_cells(film.shape, part, target, target_stride,
                      [&](int tile, int cell, int count, CellColour* to) {
                          kernel.colour_cells(cell_stack(film, tile, cell), count, ground, to_rgb, to);
+                     });
+    };
+    fill_beyond_edges(film.shape, cells, out, stride, fill);
+}
+
+void dry_colours(const film::FilmState& film, const grid::Rect& cells, const pigment::Bands& ground,
+                 CellColour* out, int stride, const pigment::BandsToRgb& to_rgb) {
+    const auto& kernel = core::kernels<Kernels>();
+    const auto fill = [&](const grid::Rect& part, CellColour* target, int target_stride) {
+        gather_cells(film.shape, part, target, target_stride,
+                     [&](int tile, int cell, int count, CellColour* to) {
+                         const CellStack cells_below = dry_stack(film, tile, cell);
+                         const int apart = is_bare(cells_below) ? 1 : count;
+                         kernel.colour_cells(cells_below, apart, ground, to_rgb, to);
+                         std::fill(to + apart, to + count, to[0]);
                      });
     };
     fill_beyond_edges(film.shape, cells, out, stride, fill);

@@ -27,4 +27,9 @@ void cell_colours(const film::FilmState& film, const grid::Rect& cells, const pi
                   CellColour* out, int stride,
                   const pigment::BandsToRgb& to_rgb = pigment::kBandsToLinearSrgb);
 
+/// Those of what lies dry, as if no wet paint lay on it, the same way.
+void dry_colours(const film::FilmState& film, const grid::Rect& cells, const pigment::Bands& ground,
+                 CellColour* out, int stride,
+                 const pigment::BandsToRgb& to_rgb = pigment::kBandsToLinearSrgb);
+
 }  // namespace pastoso::shade

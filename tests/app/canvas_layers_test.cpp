@@ -3,7 +3,13 @@
 #include "core/random.hpp"
 #include "film/support/support.hpp"
 #include "shade/cell_layers.hpp"
+#include "shade/outline_layers.hpp"
+#include "view/canvas_outlines.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include <QRectF>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -143,6 +149,107 @@ TEST(CanvasLayers, ColoursCoverTheChangedTilesAndTheirBorder) {
     EXPECT_FLOAT_EQ(paint.wetness, 1.0F);
     EXPECT_FLOAT_EQ(ground.wetness, 0.0F);
     EXPECT_LT(paint.green, ground.green);
+}
+
+/// Puts patches into a picture of the whole canvas and its border.
+class KnownOutlines {
+  public:
+    void put(const std::vector<OutlinePatch>& patches) {
+        for (const OutlinePatch& patch : patches) {
+            std::size_t from = 0;
+            for (int y = patch.cells.y0; y < patch.cells.y1; ++y)
+                for (int x = patch.cells.x0; x < patch.cells.x1; ++x, ++from) {
+                    texels_[index(x, y)] = patch.outline[from];
+                    dry_[index(x, y)] = patch.dry[from];
+                }
+        }
+    }
+
+    void expect_equal_to_reference(const document::Snapshot& snapshot) const {
+        core::ThreadPool pool(2);
+        const shade::CellLayers layers =
+            shade::cell_layers(snapshot.film, snapshot.ground, cells_, {}, pool);
+        const shade::OutlineLayers reference =
+            shade::outline_layers(snapshot.film, snapshot.ground, layers, pool);
+        int different = 0;
+        for (std::size_t i = 0; i < texels_.size(); ++i) {
+            different += texels_[i].cover != reference.cover[i] ||
+                         texels_[i].share != reference.share[i] ||
+                         texels_[i].support_mm != reference.support_mm[i] ||
+                         texels_[i].near != static_cast<float>(reference.near[i]) ||
+                         dry_[i].green != reference.dry[i].green || dry_[i].sharp != reference.sharp[i];
+        }
+        EXPECT_EQ(different, 0);
+    }
+
+    /// Whether a sample may be near an outline.
+    bool near(double x, double y) const {
+        const auto first = [](double place) { return static_cast<int>(std::floor(place - 0.5)) - 1; };
+        return texels_[index(first(x), first(y))].near > 0.0F;
+    }
+
+  private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - cells_.y0) * cells_.width() + x - cells_.x0;
+    }
+
+    grid::Rect cells_{-kLayerBorder, -kLayerBorder, kShape.width + kLayerBorder,
+                      kShape.height + kLayerBorder};
+    std::vector<OutlineTexel> texels_ =
+        std::vector<OutlineTexel>(static_cast<std::size_t>(cells_.width()) * cells_.height());
+    std::vector<DryTexel> dry_ = std::vector<DryTexel>(texels_.size());
+};
+
+TEST(CanvasOutlines, AreThoseOfTheReferenceRenderer) {
+    core::ThreadPool pool(2);
+    document::Snapshot snapshot = bare_canvas();
+    add_lump(snapshot, 90, 60, 20);
+    CanvasOutlines outlines;
+    KnownOutlines known;
+    outlines.reset(kShape);
+    const auto update = [&](const grid::Rect& cells) {
+        const auto patches = outlines.update(snapshot, cells, pigment::kBandsToLinearSrgb, pool);
+        known.put(patches);
+        return patches.size();
+    };
+    EXPECT_GT(update({0, 0, 90, 90}), 0U);
+    EXPECT_GT(update(kShape.cells()), 0U);
+    EXPECT_EQ(update(kShape.cells()), 0U) << "all is known";
+    known.expect_equal_to_reference(snapshot);
+
+    const document::Snapshot before = snapshot;
+    add_lump(snapshot, 0, 0, 5);
+    add_lump(snapshot, 126, 126, 6);  // over a corner of tiles
+    outlines.forget(changed_tiles(&before, snapshot));
+    EXPECT_GT(update(kShape.cells()), 0U);
+    known.expect_equal_to_reference(snapshot);
+
+    snapshot.ground.fill(0.5F);
+    outlines.forget_all();
+    update(kShape.cells());
+    known.expect_equal_to_reference(snapshot);
+}
+
+TEST(CanvasOutlines, TellWhereSamplesAreNearThem) {
+    core::ThreadPool pool(2);
+    document::Snapshot snapshot = bare_canvas();
+    add_lump(snapshot, 30, 60, 70);
+    add_lump(snapshot, 195, 145, 5);
+    CanvasOutlines outlines;
+    KnownOutlines known;
+    outlines.reset(kShape);
+    known.put(outlines.update(snapshot, kShape.cells(), pigment::kBandsToLinearSrgb, pool));
+    const std::vector<QRect> runs = outlines.cells_near(kShape.cells());
+    const auto told = [&](double x, double y) {
+        return std::any_of(runs.begin(), runs.end(), [&](const QRect& run) {
+            return QRectF(run).adjusted(-0.5, -0.5, 0.5, 0.5).contains(x, y);
+        });
+    };
+    for (double y = 0.1; y < kShape.height; y += 0.4)
+        for (double x = 0.1; x < kShape.width; x += 0.4)
+            ASSERT_TRUE(told(x, y) || !known.near(x, y)) << x << " " << y;
+    EXPECT_FALSE(told(65.0, 95.0)) << "within the paint";
+    EXPECT_FALSE(told(150.0, 40.0)) << "on the bare canvas";
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // What the canvas shows in place of lit paint, the lamp over it, and a graphics context that is lost.
 #include "app/window_fixture.hpp"
+#include "shade/outline.hpp"
+#include "shade/render.hpp"
 #include "shade/sampling.hpp"
 #include "shade/surface.hpp"
 #include "shade/tile_colour.hpp"
@@ -168,6 +170,18 @@ TEST_F(Looks, FlatColourIsThePaintsOwnInAnyLight) {
     std::vector<shade::CellColour> colours(static_cast<std::size_t>(kWidth) * kHeight);
     shade::cell_colours(film(), {0, 0, kWidth, kHeight}, session().snapshot()->ground, colours.data(),
                         kWidth);
+    // A pixel at the middle of each cell, as the view has it.
+    const shade::Lattice lattice{0.375, 0.375, 4.0, 4.0, 4 * (kWidth - 1), 4 * (kHeight - 1)};
+    core::ThreadPool pool(2);
+    const film::FilmState wet = film();
+    shade::SurfaceSamples samples;
+    shade::Renderer(wet, session().snapshot()->ground, lattice, {}, pool)
+        .render({0, 0, lattice.width, lattice.height}, nullptr, &samples);
+    std::vector<float> share(colours.size()), cover(colours.size());
+    std::vector<std::uint8_t> near(colours.size());
+    shade::outline_cells(wet, {0, 0, kWidth, kHeight}, {share.data(), cover.data(), near.data()},
+                         kWidth);
+    int outlined = 0, plain = 0;
     // At a node the cubic B-spline has the weights 1, 4, 1 of 6, Mitchell and Netravali's 1, 16, 1
     // of 18.
     const double sharp = shade::colour_sharpness(canvas().view_transform().zoom);
@@ -181,11 +195,21 @@ TEST_F(Looks, FlatColourIsThePaintsOwnInAnyLight) {
                 mean += weight * glm::dvec3(colour.red, colour.green, colour.blue);
             }
         }
+        if (near[(cell.y - 1) * kWidth + cell.x - 1] != 0) {
+            const shade::SurfaceSample& sample =
+                samples.samples[static_cast<std::size_t>(4 * cell.y) * lattice.width + 4 * cell.x];
+            mean = {sample.red, sample.green, sample.blue};
+            ++outlined;
+        } else {
+            ++plain;
+        }
         if (std::min({mean.x, mean.y, mean.z}) < 0.0 || std::max({mean.x, mean.y, mean.z}) > 1.0)
             continue;
         expect_near(seen(image, cell),
                     255.0 * glm::dvec3(encoded(mean.x), encoded(mean.y), encoded(mean.z)));
     }
+    EXPECT_GT(outlined, 10);
+    EXPECT_GT(plain, 100);
     shade::Lighting raking = canvas().lighting();
     raking.elevation_deg = 12.0;
     canvas().set_lighting(raking);

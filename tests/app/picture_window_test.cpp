@@ -57,7 +57,7 @@ constexpr int kLargestStep = 3;
 constexpr double kMeanStep = 0.25;
 
 TEST_F(PictureWindow, TheShaderShowsWhatTheRendererSaves) {
-    for (const double zoom : {0.5, 1.0, 2.0, 3.0}) {
+    for (const double zoom : {0.5, 1.0, 1.4, 2.0, 3.0, 6.4}) {
         show_at(zoom, {20.0, 10.0});
         const QImage shown = picture();
         const QImage wanted = reference(zoom);

@@ -5,6 +5,7 @@
 #include "core/random.hpp"
 #include "core/thread_pool.hpp"
 #include "shade/cell_layers.hpp"
+#include "shade/outline_layers.hpp"
 
 #include <cstring>
 #include <vector>
@@ -92,6 +93,24 @@ TEST_P(EveryIsa, ShadesRowsAlike) {
         std::vector<float> rgb(3 * 99);
         core::kernels<Kernels>(isa).shade_row(layers.rows_from(lines.first_cell[0]), lines.weights[0],
                                               columns, 0.25F, shading_constants(lighting), rgb.data());
+        return rgb;
+    };
+    expect_same_bits(row(GetParam()), row(core::Isa::Baseline));
+}
+
+TEST_P(EveryIsa, DrawsOutlinesAlike) {
+    const film::FilmState film = test::random_canvas({40, 40}, 16);
+    core::ThreadPool pool(1);
+    const Lighting lighting;
+    const CellLayers layers = cell_layers(film, test::kGround, film.shape.cells(), lighting, pool);
+    const OutlineLayers outline = outline_layers(film, test::kGround, layers, pool);
+    const SampleColumns columns(sample_axis({4.0, 0.21, 0.5F}, 0, 150, 0));
+    const SampleAxis lines = sample_axis({10.0, 0.77, 0.5F}, 0, 1, 0);
+    const auto row = [&](core::Isa isa) {
+        std::vector<float> rgb(3 * 150, 0.5F);
+        core::kernels<Kernels>(isa).outline_row(
+            layers.rows_from(lines.first_cell[0]), outline.rows_from(lines.first_cell[0]),
+            lines.weights[0], columns, {0.25F, 0.21F, 0.7F}, shading_constants(lighting), rgb.data());
         return rgb;
     };
     expect_same_bits(row(GetParam()), row(core::Isa::Baseline));

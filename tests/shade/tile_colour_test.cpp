@@ -189,5 +189,28 @@ TEST(CellColours, OfARectangleAreThoseOfItsTiles) {
     EXPECT_EQ(part[40].blue, part[cells.width() + 39].blue) << "the corner beyond the canvas";
 }
 
+TEST(DryColours, AreThoseOfTheCanvasWithoutItsWetPaint) {
+    film::FilmState film = test::random_canvas({100, 70}, 5);
+    for (int x = 70; x < 90; ++x) {
+        film::PigmentCell dissolved{};
+        dissolved[0] = 1000 * x;
+        film.strata.soluble_pigment.set(x, 30, dissolved);
+    }
+    film::FilmState dry(film.shape, film.cell_mm);
+    dry.strata = film.strata;
+    const grid::Rect cells{-2, -2, 102, 72};
+    std::vector<CellColour> seen(static_cast<std::size_t>(cells.width()) * cells.height());
+    std::vector<CellColour> expected = seen;
+    dry_colours(film, cells, test::kGround, seen.data(), cells.width());
+    cell_colours(dry, cells, test::kGround, expected.data(), cells.width());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        ASSERT_EQ(seen[i].red, expected[i].red);
+        ASSERT_EQ(seen[i].green, expected[i].green);
+        ASSERT_EQ(seen[i].blue, expected[i].blue);
+        ASSERT_EQ(seen[i].wetness, 0.0F);
+    }
+    EXPECT_LT(seen[32 * 104 + 82].blue, seen[0].blue);
+}
+
 }  // namespace
 }  // namespace pastoso::shade
