@@ -60,6 +60,7 @@ struct ContactFace {
     F acceleration;  ///< drive, mm/s2, signed along the axis
     F dragging_mm;   ///< thickness of the film that drags
     F passing_mm;    ///< thickness that passes; 0 where the face is shut
+    F most_mm;       ///< of paint that a step may carry through it, lest the line goes too far
 };
 
 /// The drive outwards of an edge whose surface meets the support at `slope` instead of `angle`, mm/s2:
@@ -95,7 +96,8 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_of_dry(const FaceNeighbourhood<F>& fac
                                 dragging_mm, drop, step);
     const F acceleration = force + sign * push;
     const auto open = (wet_left || wet_right) && drop > zero && sign * acceleration > zero;
-    return {acceleration, dragging_mm, lanes::select(open, lanes::min(end.over_mm, h_wet), zero)};
+    const F passing_mm = lanes::select(open, lanes::min(end.over_mm, h_wet), zero);
+    return {acceleration, dragging_mm, passing_mm, F(0.25F) * passing_mm};
 }
 
 /// A face between the film and the cell that it ends in. The contact line moves out where the surface is
@@ -117,8 +119,14 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_within(const FaceNeighbourhood<F>& fac
     const F acceleration = force + sign * push;
     const F outwards = sign * acceleration;
     const auto open = (steep && outwards > zero) || (flat && outwards < zero);
-    const F missing_mm = F(kStepsOver) * lanes::abs(F(end.contact_slope - angle)) * end.reach_mm;
-    return {acceleration, dragging_mm, lanes::select(open, lanes::min(end.depth_mm, missing_mm), zero)};
+    const F missing_mm = lanes::abs(F(end.contact_slope - angle)) * end.reach_mm;
+    const F passing_mm = lanes::min(end.depth_mm, F(F(kStepsOver) * missing_mm));
+    // An end that draws back may be gone in a step, through both of its faces.
+    const F held_mm = lanes::select(right, face.h_right, face.h_left);
+    const F leaving_mm = F(0.98F) * held_mm * end.normal_along * end.normal_along;
+    const F most_mm =
+        lanes::select(steep, F(F(0.25F) * passing_mm), lanes::min(F(F(0.5F) * missing_mm), leaving_mm));
+    return {acceleration, dragging_mm, lanes::select(open, passing_mm, zero), most_mm};
 }
 
 template <class F>
@@ -130,7 +138,8 @@ PASTOSO_LANE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& fa
     const auto wet = face.h_left > F(step.wet_mm) && face.h_right > F(step.wet_mm);
     return {lanes::select(wet, within.acceleration, dry.acceleration),
             lanes::select(wet, within.dragging_mm, dry.dragging_mm),
-            lanes::select(wet, within.passing_mm, dry.passing_mm)};
+            lanes::select(wet, within.passing_mm, dry.passing_mm),
+            lanes::select(wet, within.most_mm, dry.most_mm)};
 }
 
 /// The drive along the axis: what accelerates the paint through the face, mm/s2, but for its drag.
@@ -172,6 +181,7 @@ struct FaceDrive {
     F laplacian;         ///< sum of the neighbouring velocities' differences, mm/s
     F thickness;         ///< of the film that passes, mm; 0 where nothing can
     F drag_thickness;    ///< of the film that drags, mm
+    F most_mm;           ///< of paint that a step may carry where the film ends
     F drag_coefficient;  ///< k_d, times the relative viscosity
     F viscosity;         ///< nu at the face, mm2/s
     [[no_unique_address]] FacePaint<F, kModel.varied> paint;
@@ -222,6 +232,7 @@ PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>
     if (!all_inside) {
         drive.drag_thickness = lanes::select(inside, drive.thickness, edge.dragging_mm);
         drive.thickness = lanes::select(inside, drive.thickness, edge.passing_mm);
+        drive.most_mm = edge.most_mm;
     }
     drive.laplacian = face.u_back + face.u_front + (face.u_before + face.u_after) - F(4.0F) * face.u;
     add_drag(face, step, start.along, drive);

@@ -38,13 +38,15 @@ using grid::kTileSize;
     return velocity / lanes::sqrt(lanes::sqrt(lanes::sqrt(Lanes(Lanes(1.0F) + four * four))));
 }
 
-/// At a film's edge: velocities that would carry more than an eighth of a cell a step are bent towards a
-/// quarter.
-[[gnu::always_inline]] inline Lanes softly_limited(Lanes velocity, const StepConstants& step) {
-    constexpr float kFree = 0.125F;
-    const Lanes courant =
-        lanes::max(Lanes(lanes::abs(velocity) * Lanes(step.dt_s * step.inverse_cell)), Lanes(kFree));
-    return velocity * Lanes(kFree) * (Lanes(2.0F) - Lanes(kFree) / courant) / courant;
+/// At a film's end: a velocity that carries no more through the face in a step than it may, nor further
+/// than a cell.
+template <FaceModel kModel>
+[[gnu::always_inline]] inline Lanes limited_at_end(Lanes velocity, const FaceDrive<kModel, Lanes>& drive,
+                                                   const StepConstants& step) {
+    const Lanes cell_per_step(step.cell_mm / step.dt_s);
+    const Lanes passing = lanes::max(drive.thickness, Lanes(1e-30F));
+    const Lanes most = cell_per_step * lanes::min(Lanes(1.0F), Lanes(drive.most_mm / passing));
+    return lanes::clamp(velocity, Lanes(-most), most);
 }
 
 /// The drag of a face that is explicit: at a film's edge that a contact angle holds, or shut.
@@ -143,16 +145,8 @@ struct LargeFaceRow {
 
         const Lanes flow = drag_answer<kModel.yield>(drive.driven, drive.across, drag, resistance).flow;
         const auto flows = drive.thickness > zero;
-        const Lanes limited = within_supply(face, softly_limited(flow, step), drive.thickness);
-        put_explicit(!inside, drive.thickness, lanes::select(flows, limited, zero), f);
-    }
-
-    /// What leaves the cell in which the film ends through two faces shall not be more than it holds.
-    [[gnu::always_inline]] Lanes within_supply(const FaceNeighbourhood<Lanes>& face, Lanes flow,
-                                               Lanes depth) const {
-        const Lanes held = lanes::select(flow > Lanes(0.0F), face.h_left, face.h_right);
-        const Lanes most = Lanes(0.45F * step.cell_mm / step.dt_s) * held / (depth + Lanes(1e-30F));
-        return lanes::clamp(flow, Lanes(-most), most);
+        put_explicit(!inside, drive.thickness,
+                     lanes::select(flows, limited_at_end(flow, drive, step), zero), f);
     }
 
     /// The momentum of faces that remember it, where it moves paint of another depth than arrives.
