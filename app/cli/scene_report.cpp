@@ -45,6 +45,7 @@ Json run_stats(const RunOutcome& outcome) {
             {"sweeps", outcome.film.sweeps},
             {"clamped_faces", outcome.film.clamped_faces},
             {"limited_cells", outcome.film.limited_cells},
+            {"lagging_steps", outcome.film.lagging_steps},
             {"largest_speed_mm_s", outcome.film.largest_speed_mm_s},
             {"state_hash", hex(outcome.state_hash)}};
 }

@@ -105,10 +105,22 @@ void write_sheet(const std::vector<RunOutcome>& outcomes, const fs::path& path) 
         files::write_image(path, shade::arranged(rows, kSheetGap_px));
 }
 
+/// Says where the film ran slower than it would.
+void print_lag(const RunOutcome& outcome) {
+    if (outcome.film.lagging_steps == 0) return;
+    print(
+        "%s: in %lld of %lld steps paint ran slower than it would, as no more than 1200 a second are "
+        "taken.\n",
+        outcome.name.empty() ? "film" : outcome.name.c_str(),
+        static_cast<long long>(outcome.film.lagging_steps), static_cast<long long>(outcome.film.steps));
+}
+
 void print_summary(const recordings::SceneFile& file, const std::vector<RunOutcome>& outcomes,
                    const SimulateOptions& options, double wall_s) {
     if (!file.title.empty()) print("%s\n", file.title.c_str());
     print("%s", report_table(file, outcomes).c_str());
+    for (const RunOutcome& outcome : outcomes)
+        print_lag(outcome);
     print("%s: tables, pictures and heights, in %.1f s\n", options.output.c_str(), wall_s);
     if (!options.stats.empty()) print("%s: figures\n", options.stats.c_str());
 }

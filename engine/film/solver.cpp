@@ -43,6 +43,7 @@ void AdvanceReport::add(const AdvanceReport& other) {
     clamped_faces += other.clamped_faces;
     rejected_steps += other.rejected_steps;
     limited_cells += other.limited_cells;
+    lagging_steps += other.lagging_steps;
     sweeps += other.sweeps;
     largest_residual = std::max(largest_residual, other.largest_residual);
     largest_speed_mm_s = std::max(largest_speed_mm_s, other.largest_speed_mm_s);
@@ -299,6 +300,7 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& canc
         const double dt_s = remaining / steps_left;
         const bool unhurried = options.fixed_step_s == 0.0 && is_unhurried(dt_s, options);
         report.add(next.large ? large_step(dt_s, unhurried) : explicit_step(dt_s));
+        report.lagging_steps += next.lags ? 1 : 0;
         remaining = steps_left > 1.0 ? remaining - dt_s : 0.0;
     }
     return true;

@@ -68,6 +68,7 @@ struct AdvanceReport {
     std::int64_t clamped_faces = 0;
     std::int64_t rejected_steps = 0;  ///< large steps that had to be tried again in halves
     std::int64_t limited_cells = 0;   ///< whose outflow a large step cut to what they held
+    std::int64_t lagging_steps = 0;  ///< large steps in which paint went slower than it would (StepPlan)
     std::int64_t sweeps = 0;          ///< of the large steps' solver over its tiles
     double largest_residual = 0.0;    ///< of a large step's equations before the last sweep, relative
     double largest_speed_mm_s = 0.0;

@@ -30,8 +30,9 @@ constexpr double kRounding = 1e-6;
 /// air, weight and tension, is not in the push: by the push alone a heap that it holds up would race.
 constexpr double kQuickening = 2.0, kGust_mm_s = 200.0;
 
-/// Paint that the air throws faster than these steps allow lags behind: cells give what they hold.
-constexpr double kMostBlownSteps_per_s = 1200.0;
+/// Paint that its weight or the air carries faster than these steps allow lags behind: a large step lets
+/// it feel as much of its weight as it can follow, and cells give what they hold.
+constexpr double kMostSteps_per_s = 1200.0;
 
 /// What a large step costs, in explicit ones.
 constexpr double kLargeStepCost = 4.0;
@@ -164,14 +165,17 @@ double unhurried_step_s(const PlannedFilm& film, double hurried_s) {
     return std::max(hurried_s, kUnhurriedCourant * film.state.cell_mm / (speed_mm_s + 1e-30));
 }
 
-double large_step_s(const PlannedFilm& film, const SolverOptions& options, double seconds) {
+StepPlan plan_large_step(const PlannedFilm& film, const SolverOptions& options, double seconds) {
     const double cell_mm = film.state.cell_mm;
     const double own_per_s = fastest_speed_mm_s(film) / (kCourant * cell_mm);
     const double blown_per_s = fastest_blown_speed_mm_s(film) / (kBlownCourant * cell_mm);
-    const double steps_per_s = std::max(own_per_s, std::min(blown_per_s, kMostBlownSteps_per_s));
+    const double wanted_per_s = std::max(own_per_s, blown_per_s);
+    const double steps_per_s = std::min(wanted_per_s, kMostSteps_per_s);
     const double longest_s =
         std::min(unhurried_step_s(film, hurried_step_s(options)), 1.0 / (steps_per_s + 1e-30));
-    return seconds / std::max(1.0, std::ceil(seconds / longest_s - kRounding));
+    return {.step_s = seconds / std::max(1.0, std::ceil(seconds / longest_s - kRounding)),
+            .large = true,
+            .lags = wanted_per_s > kMostSteps_per_s};
 }
 
 double stable_step_s(const PlannedFilm& film) {
@@ -196,11 +200,11 @@ bool went_too_far(double dt_s, double speed_mm_s, double cell_mm) {
 
 StepPlan plan_step(const PlannedFilm& film, const SolverOptions& options, double seconds) {
     if (options.fixed_step_s > 0.0) return {options.fixed_step_s, options.scheme == Scheme::LargeStep};
-    if (options.scheme == Scheme::LargeStep) return {large_step_s(film, options, seconds), true};
+    if (options.scheme == Scheme::LargeStep) return plan_large_step(film, options, seconds);
     const double explicit_s = stable_step_s(film);
     if (options.scheme == Scheme::Explicit) return {explicit_s, false};
-    const double large_s = large_step_s(film, options, seconds);
-    return large_s > kLargeStepCost * explicit_s ? StepPlan{large_s, true} : StepPlan{explicit_s, false};
+    const StepPlan large = plan_large_step(film, options, seconds);
+    return large.step_s > kLargeStepCost * explicit_s ? large : StepPlan{explicit_s, false};
 }
 
 }  // namespace pastoso::film

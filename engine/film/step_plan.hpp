@@ -25,11 +25,13 @@ struct PlannedFilm {
 struct StepPlan {
     double step_s;
     bool large;
+    bool lags = false;  ///< paint is carried faster than the most steps a second follow
 };
 
 /// The next step towards the end of `seconds`; may be longer than what is left. An explicit one stays
 /// below the stability limit of every tile. In a large one the body force carries no paint further than
-/// a fifth of a cell and the air about one cell; the waves may be of any speed.
+/// a fifth of a cell and the air about one cell, or in 1200 steps a second what they allow; the waves
+/// may be of any speed.
 StepPlan plan_step(const PlannedFilm& film, const SolverOptions& options, double seconds);
 
 /// A large step longer than a tick of 60 a second, and than paint may wait, is for paint that hardly
