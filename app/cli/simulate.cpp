@@ -10,6 +10,7 @@
 #include "core/text_file.hpp"
 #include "files/file_access.hpp"
 #include "files/image.hpp"
+#include "film/step_plan.hpp"
 
 #include <cstdio>
 
@@ -109,10 +110,11 @@ void write_sheet(const std::vector<RunOutcome>& outcomes, const fs::path& path) 
 void print_lag(const RunOutcome& outcome) {
     if (outcome.film.lagging_steps == 0) return;
     print(
-        "%s: in %lld of %lld steps paint ran slower than it would, as no more than 1200 a second are "
+        "%s: in %lld of %lld steps paint ran slower than it would, as no more than %g a second are "
         "taken.\n",
         outcome.name.empty() ? "film" : outcome.name.c_str(),
-        static_cast<long long>(outcome.film.lagging_steps), static_cast<long long>(outcome.film.steps));
+        static_cast<long long>(outcome.film.lagging_steps), static_cast<long long>(outcome.film.steps),
+        film::kMostLargeSteps_per_s);
 }
 
 void print_summary(const recordings::SceneFile& file, const std::vector<RunOutcome>& outcomes,

@@ -30,10 +30,6 @@ constexpr double kRounding = 1e-6;
 /// air, weight and tension, is not in the push: by the push alone a heap that it holds up would race.
 constexpr double kQuickening = 2.0, kGust_mm_s = 200.0;
 
-/// Paint that its weight or the air carries faster than these steps allow lags behind: a large step lets
-/// it feel as much of its weight as it can follow, and cells give what they hold.
-constexpr double kMostSteps_per_s = 1200.0;
-
 /// What a large step costs, in explicit ones.
 constexpr double kLargeStepCost = 4.0;
 
@@ -170,12 +166,12 @@ StepPlan plan_large_step(const PlannedFilm& film, const SolverOptions& options, 
     const double own_per_s = fastest_speed_mm_s(film) / (kCourant * cell_mm);
     const double blown_per_s = fastest_blown_speed_mm_s(film) / (kBlownCourant * cell_mm);
     const double wanted_per_s = std::max(own_per_s, blown_per_s);
-    const double steps_per_s = std::min(wanted_per_s, kMostSteps_per_s);
+    const double steps_per_s = std::min(wanted_per_s, kMostLargeSteps_per_s);
     const double longest_s =
         std::min(unhurried_step_s(film, hurried_step_s(options)), 1.0 / (steps_per_s + 1e-30));
     return {.step_s = seconds / std::max(1.0, std::ceil(seconds / longest_s - kRounding)),
             .large = true,
-            .lags = wanted_per_s > kMostSteps_per_s};
+            .lags = wanted_per_s > kMostLargeSteps_per_s};
 }
 
 double stable_step_s(const PlannedFilm& film) {

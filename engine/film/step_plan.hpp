@@ -22,6 +22,10 @@ struct PlannedFilm {
     core::ThreadPool& pool;
 };
 
+/// Paint that its weight or the air carries faster than these steps allow lags behind: a large step lets
+/// it feel as much of its weight as it can follow, and cells give what they hold.
+inline constexpr double kMostLargeSteps_per_s = 1200.0;
+
 struct StepPlan {
     double step_s;
     bool large;
@@ -30,7 +34,7 @@ struct StepPlan {
 
 /// The next step towards the end of `seconds`; may be longer than what is left. An explicit one stays
 /// below the stability limit of every tile. In a large one the body force carries no paint further than
-/// a fifth of a cell and the air about one cell, or in 1200 steps a second what they allow; the waves
+/// a fifth of a cell and the air about one cell, or in kMostLargeSteps_per_s what they allow; the waves
 /// may be of any speed.
 StepPlan plan_step(const PlannedFilm& film, const SolverOptions& options, double seconds);
 

@@ -28,7 +28,7 @@ constexpr int kBlock = 3;
 /// A cliff stands as high in the next cells as in those behind, b = 0, and the covered share is r. A
 /// film that ends in a slope has a mean of w^2 / 2 where it covers w of the cell, and of w + 1/2 in the
 /// next: r = w^2 / (2 w + 1), so that w = r + sqrt(r^2 + r), b = 1. Rounded rims lie between. Paint goes
-/// on beyond the cell, and covers all of it, where the least is a quarter of h or more.
+/// on beyond the cell, and covers all of it, where the least is a sixteenth of h or more.
 float wet_share(float h, float least, float most, float farther) {
     const float ratio = h / most;
     const float sloping = std::min(1.0F, 2.0F - 2.0F * (most / farther));
@@ -118,8 +118,8 @@ float most_around(const float* middle, std::ptrdiff_t stride, int reach) {
 }
 
 /// What the outline is told from, given the share of a cell and the spline through those around it. The
-/// edges of what is wider than two cells are smoothed by one more mean, over 1, 2, 1: what the film
-/// solver leaves there is often whole cells.
+/// edges of what is wider than two cells are smoothed by one more mean, over 1, 2, 1: rims vary from
+/// cell to cell.
 float cover_of(const float* share, const float* spline, std::ptrdiff_t stride) {
     const float lone = *share * lone_gain(most_around(spline, stride, 1));
     const float wide = 5.0F * std::clamp(most_around(spline, stride, 2) - 0.8F, 0.0F, 0.2F);

@@ -3,6 +3,7 @@
 #include "film/face/film_end.hpp"
 #include "film/film_bench.hpp"
 #include "film/schemes.hpp"
+#include "film/validation/laws.hpp"
 
 #include <algorithm>
 #include <array>
@@ -90,13 +91,7 @@ class ContactLine : public testing::TestWithParam<film::Scheme> {
         options.scheme = GetParam();
         return options;
     }
-    /// In ticks, as a large step is to be seen.
-    void advance(Bench& bench, double seconds) const {
-        constexpr double kTick_s = 1.0 / 60.0;
-        for (double passed = 0; passed < seconds; passed += kTick_s)
-            bench.solver->advance(std::min(kTick_s, seconds - passed));
-    }
-    /// Moves mean thicknesses in: of 4 x 4 points a cell.
+    /// With mean thicknesses of 4 x 4 points a cell.
     static void fill(Bench& bench, const std::function<double(double, double)>& thickness) {
         bench.fill([&](int x, int y) {
             double sum = 0;
@@ -139,7 +134,7 @@ TEST_P(ContactLine, ADropRestsAtTheAngleThatItReachesFirst) {
             return std::max(0.0,
                             std::sqrt(std::max(0.0, sphere * sphere - r2)) - sphere * std::cos(angle));
         });
-        advance(bench, 4.0);
+        bench.pass(4.0);
         const double height = cap_height(bench.volume(), rests_deg * pi / 180);
         EXPECT_NEAR(bench.max_h() / height, 1.0, 0.02) << rests_deg;  // reached 1.5 %
     }
@@ -175,7 +170,7 @@ TEST_P(ContactLine, APlanarDropIsHeldByBothItsAngles) {
                 return x;
             };
             const int start = rear();
-            advance(bench, 1.2 * width);
+            bench.pass(1.2 * width);
             return rear() - start;
         };
         SCOPED_TRACE(testing::Message() << "slopes " << advancing << ", " << receding);
@@ -184,18 +179,14 @@ TEST_P(ContactLine, APlanarDropIsHeldByBothItsAngles) {
     }
 }
 
-/// How long a planar drop takes to draw back to a part of its width, in nu W / sigma, by Cox and Voinov:
-/// d(W)/dt = -2 sigma / (9 nu ln(W theta / (3 e lambda))) (theta_R^3 - theta^3), theta = s (W_0 / W)^2,
-/// with the slip length lambda (Hocking 1983; here of planar drops, theta_R within the logarithm).
-double retraction_time(double start_slope, double receding, double width, double slip, double part) {
+/// How long a strip takes to draw back from one half-width to another, s.
+double retraction_s(const validation::RetractingStrip& strip, double from, double to) {
     constexpr int kParts = 10000;
-    double time = 0;
-    for (int i = 0; i < kParts; ++i) {
-        const double share = 1 - (1 - part) * (i + 0.5) / kParts, slope = start_slope / (share * share);
-        const double log = std::log(share * width * receding / (3 * std::numbers::e * slip));
-        time += (1 - part) / kParts * 4.5 * log / (std::pow(receding, 3) - std::pow(slope, 3));
-    }
-    return time;
+    const double part = (from - to) / kParts;
+    double seconds = 0;
+    for (int i = 0; i < kParts; ++i)
+        seconds += part / strip.retreat_speed(from - (i + 0.5) * part);
+    return seconds;
 }
 
 TEST_P(ContactLine, AFlatStripDrawsBackInTheTimeOfCoxAndVoinov) {
@@ -217,13 +208,18 @@ TEST_P(ContactLine, AFlatStripDrawsBackInTheTimeOfCoxAndVoinov) {
     double time = 0;
     // Of a parabola, the width is 3/2 of its area over its height.
     while (1.5 * bench.volume() / bench.max_h() > kPart * kWidth && time < 300) {
-        advance(bench, 0.5 * unit);
+        bench.pass(0.5 * unit);
         time += 0.5;
     }
-    const double exact = retraction_time(kSlope, kReceding, kWidth, 0.2, kPart);
+    const validation::RetractingStrip strip{.section = kSlope * kWidth * kWidth / 6,
+                                            .receding = kReceding,
+                                            .tension = kTension,
+                                            .viscosity = kViscosity,
+                                            .slip = 0.2};
+    const double exact = retraction_s(strip, 0.5 * kWidth, 0.5 * kPart * kWidth) / unit;
     EXPECT_GT(time, exact / 1.5);
     EXPECT_LT(time, exact * 1.5);
-    advance(bench, 100 * unit);
+    bench.pass(100 * unit);
     EXPECT_NEAR(bench.max_h() / (std::sqrt(kSlope * kReceding) * kWidth / 4), 1.0, 0.02);
 }
 

@@ -97,7 +97,7 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_of_dry(const FaceNeighbourhood<F>& fac
     const F acceleration = force + sign * push;
     const auto open = (wet_left || wet_right) && drop > zero && sign * acceleration > zero;
     const F passing_mm = lanes::select(open, lanes::min(end.over_mm, h_wet), zero);
-    return {acceleration, dragging_mm, passing_mm, F(0.25F) * passing_mm};
+    return {acceleration, dragging_mm, passing_mm, F(1.0F / kStepsOver) * passing_mm};
 }
 
 /// A face between the film and the cell that it ends in. The contact line moves out where the surface is
@@ -124,8 +124,8 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_within(const FaceNeighbourhood<F>& fac
     // An end that draws back may be gone in a step, through both of its faces.
     const F held_mm = lanes::select(right, face.h_right, face.h_left);
     const F leaving_mm = F(0.98F) * held_mm * end.normal_along * end.normal_along;
-    const F most_mm =
-        lanes::select(steep, F(F(0.25F) * passing_mm), lanes::min(F(F(0.5F) * missing_mm), leaving_mm));
+    const F most_mm = lanes::select(steep, F(F(1.0F / kStepsOver) * passing_mm),
+                                    lanes::min(F(F(0.5F) * missing_mm), leaving_mm));
     return {acceleration, dragging_mm, lanes::select(open, passing_mm, zero), most_mm};
 }
 

@@ -66,6 +66,16 @@ double YieldedHeap::h(double x) const {
     return x < reach() ? std::sqrt(2 * yield / gravity * (reach() - x)) : 0.0;
 }
 
+double RetractingStrip::last_half_width() const {
+    return std::sqrt(1.5 * section / receding);
+}
+
+double RetractingStrip::retreat_speed(double half_width) const {
+    const double slope = 1.5 * section / (half_width * half_width);
+    const double stretch = std::log(2.0 * half_width * receding / (std::exp(2.0) * (3.0 * slip)));
+    return tension / viscosity * (std::pow(receding, 3) - std::pow(slope, 3)) / (9.0 * stretch);
+}
+
 double yielded_tail(double force, double yield, double viscosity, double x, double t) {
     const double stands = yield / force;
     if (x <= 0) return stands;

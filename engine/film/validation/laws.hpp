@@ -53,6 +53,16 @@ struct YieldedHeap {
     double h(double x) const;
 };
 
+/// A strip of this section, flatter than its receding slope, draws back: after Cox and Voinov, matched
+/// to a foot that slips, -da/dt = (sigma/nu) (theta_R^3 - theta^3) / (9 ln(2 a theta_R / (e^2 l))) with
+/// the half-width a, theta = 3 A / (2 a^2) and l = 3 slip lengths. Savva and Kalliadasis (2009).
+struct RetractingStrip {
+    double section, receding, tension, viscosity, slip;
+
+    double last_half_width() const;
+    double retreat_speed(double half_width) const;
+};
+
 /// Thickness behind a yield-stress current on a slope, at the distance x from its start: h (h - tau/F) =
 /// x nu / (F t). Liu and Mei (1989).
 double yielded_tail(double force, double yield, double viscosity, double x, double t);

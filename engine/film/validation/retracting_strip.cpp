@@ -1,5 +1,6 @@
 #include "core/units.hpp"
 #include "film/validation/contact_lines.hpp"
+#include "film/validation/laws.hpp"
 #include "film/validation/plane.hpp"
 
 #include <algorithm>
@@ -17,37 +18,31 @@ constexpr double kSection_mm2 = 2.0 / 3.0 * kHalfWidth_mm * kHalfWidth_mm * kSta
 constexpr double kUnit_s = kViscosity * kHalfWidth_mm / kTension;
 constexpr double kPatience = 4.0;
 
-double last_half_width_mm() {
-    return std::sqrt(1.5 * kSection_mm2 / kReceding);
+RetractingStrip strip_in(double cell_mm) {
+    return {.section = kSection_mm2,
+            .receding = kReceding,
+            .tension = kTension,
+            .viscosity = kViscosity,
+            .slip = kSlip_cells * cell_mm};
 }
 
 /// Nineteen twentieths of the way.
-double wanted_half_width_mm() {
-    return last_half_width_mm() + 0.05 * (kHalfWidth_mm - last_half_width_mm());
+double wanted_half_width_mm(const RetractingStrip& strip) {
+    return strip.last_half_width() + 0.05 * (kHalfWidth_mm - strip.last_half_width());
 }
 
 double half_width_at_start(double s) {
     return 0.5 * kStartSlope / kHalfWidth_mm * std::max(0.0, kHalfWidth_mm * kHalfWidth_mm - s * s);
 }
 
-/// -da/dt = (sigma/rho) (theta_R^3 - theta^3) / (9 nu ln(2 a theta_R / (e^2 l))), theta = 3 A / (2 a^2),
-/// with l = 3 slip lengths: Cox and Voinov's law in a strip of half-width a, matched to a foot that
-/// slips.
-double retreat_mm_s(double a_mm, double cell_mm) {
-    const double slope = 1.5 * kSection_mm2 / (a_mm * a_mm);
-    const double slip_mm = 3.0 * kSlip_cells * cell_mm;
-    const double stretch = std::log(2.0 * a_mm * kReceding / (std::exp(2.0) * slip_mm));
-    return kTension / kViscosity * (std::pow(kReceding, 3) - std::pow(slope, 3)) / (9.0 * stretch);
-}
-
 /// Half-width over time, in units of kUnit_s.
-Curve exact_course(double cell_mm) {
+Curve exact_course(const RetractingStrip& strip) {
     constexpr int kSteps = 2000;
     Curve course = {{0.0, kHalfWidth_mm}};
-    const double step_mm = (kHalfWidth_mm - wanted_half_width_mm()) / kSteps;
+    const double step_mm = (kHalfWidth_mm - wanted_half_width_mm(strip)) / kSteps;
     for (int i = 0; i < kSteps; ++i) {
         const double middle_mm = kHalfWidth_mm - (i + 0.5) * step_mm;
-        const double t = course.back().x + step_mm / retreat_mm_s(middle_mm, cell_mm) / kUnit_s;
+        const double t = course.back().x + step_mm / strip.retreat_speed(middle_mm) / kUnit_s;
         course.push_back({t, kHalfWidth_mm - (i + 1) * step_mm});
     }
     return course;
@@ -75,10 +70,11 @@ Outcome draw_back(const Run& run) {
     const double centre = 0.5 * plane.period_mm();
     plane.fill(bench, [&](double s) { return half_width_at_start(s - centre); });
     Outcome outcome;
-    outcome.exact = exact_course(run.cell_mm);
+    const RetractingStrip strip = strip_in(run.cell_mm);
+    outcome.exact = exact_course(strip);
     outcome.measured = {{0.0, half_width_mm(plane, bench)}};
     const double exact = outcome.exact.back().x;
-    while (outcome.measured.back().y > wanted_half_width_mm() &&
+    while (outcome.measured.back().y > wanted_half_width_mm(strip) &&
            outcome.measured.back().x < kPatience * exact) {
         bench.pass(1.0 / 60.0);
         outcome.measured.push_back({bench.passed_s / kUnit_s, half_width_mm(plane, bench)});
@@ -87,7 +83,7 @@ Outcome draw_back(const Run& run) {
     outcome.figures.push_back({.quantity = "time [nu L/sigma]",
                                .measured = end.x,
                                .exact = exact,
-                               .at_least = end.y > wanted_half_width_mm()});
+                               .at_least = end.y > wanted_half_width_mm(strip)});
     return outcome;
 }
 
