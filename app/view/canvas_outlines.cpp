@@ -1,13 +1,10 @@
 #include "view/canvas_outlines.hpp"
 
 #include "shade/cell_span.hpp"
-#include "shade/outline.hpp"
-#include "shade/surface.hpp"
-#include "shade/tile_colour.hpp"
+#include "shade/outline_layers.hpp"
 #include "view/canvas_layers.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace pastoso::view {
 namespace {
@@ -45,21 +42,17 @@ std::vector<Rect> patches_of(const QRegion& unknown, const grid::Shape& shape) {
 
 OutlinePatch patch_of(const document::Snapshot& shown, const Rect& cells,
                       const pigment::BandsToRgb& to_rgb) {
-    const std::size_t count = static_cast<std::size_t>(cells.width()) * cells.height();
-    const int stride = cells.width();
-    std::vector<float> share(count), cover(count), sharp(count), support_mm(count);
-    std::vector<std::uint8_t> near(count);
-    std::vector<shade::CellColour> dry(count);
-    shade::outline_cells(shown.film, cells, {share.data(), cover.data(), near.data()}, stride);
-    shade::edge_sharpness(shown.film, cells, sharp.data(), stride);
-    shade::support_coefficients(shown.film, cells, support_mm.data(), stride);
-    shade::dry_colours(shown.film, cells, shown.ground, dry.data(), stride, to_rgb);
+    shade::OutlineLayers told(cells);
+    shade::tell_outline(shown.film, shown.ground, cells, to_rgb, told);
+    const std::size_t count = told.share.size();
     OutlinePatch patch{cells, {}, {}};
     patch.outline.reserve(count);
     patch.dry.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-        patch.outline.push_back({cover[i], share[i], support_mm[i], static_cast<float>(near[i])});
-        patch.dry.push_back({dry[i].red, dry[i].green, dry[i].blue, sharp[i] * share[i]});
+        const shade::CellColour& dry = told.dry[i];
+        patch.outline.push_back(
+            {told.cover[i], told.share[i], told.support_mm[i], static_cast<float>(told.near[i])});
+        patch.dry.push_back({dry.red, dry.green, dry.blue, told.sharp[i]});
     }
     return patch;
 }

@@ -7,28 +7,47 @@ namespace {
 
 using grid::Rect;
 
-void fill_band(const film::FilmState& film, const pigment::Bands& ground, const Rect& band,
-               const CellLayers& layers, const pigment::BandsToRgb& to_rgb, OutlineLayers& outline) {
+/// The cell's colour as far as it is covered.
+void weigh_colours(const CellLayers& layers, const Rect& band, OutlineLayers& outline) {
     const std::ptrdiff_t first = layers.index(band.x0, band.y0);
-    const int stride = layers.cells.width();
-    outline_cells(
-        film, band,
-        {outline.share.data() + first, outline.cover.data() + first, outline.near.data() + first},
-        stride);
-    edge_sharpness(film, band, outline.sharp.data() + first, stride);
-    support_coefficients(film, band, outline.support_mm.data() + first, stride);
-    dry_colours(film, band, ground, outline.dry.data() + first, stride, to_rgb);
-    const std::ptrdiff_t end = first + static_cast<std::ptrdiff_t>(band.height()) * stride;
+    const std::ptrdiff_t end = first + static_cast<std::ptrdiff_t>(band.height()) * layers.cells.width();
     for (std::ptrdiff_t i = first; i < end; ++i) {
         const CellColour& colour = layers.colour[i];
         const float share = outline.share[i];
-        outline.sharp[i] *= share;
         outline.covered[i] = {share * colour.red, share * colour.green, share * colour.blue,
                               share * colour.wetness};
     }
 }
 
 }  // namespace
+
+OutlineLayers::OutlineLayers(const Rect& wanted) : cells(wanted) {
+    const std::size_t count = static_cast<std::size_t>(cells.width()) * cells.height();
+    share.resize(count);
+    cover.resize(count);
+    near.resize(count);
+    sharp.resize(count);
+    support_mm.resize(count);
+    dry.resize(count);
+}
+
+void tell_outline(const film::FilmState& film, const pigment::Bands& ground, const Rect& part,
+                  const pigment::BandsToRgb& to_rgb, OutlineLayers& outline) {
+    const int stride = outline.cells.width();
+    const std::ptrdiff_t first =
+        static_cast<std::ptrdiff_t>(part.y0 - outline.cells.y0) * stride + part.x0 - outline.cells.x0;
+    outline_cells(
+        film, part,
+        {outline.share.data() + first, outline.cover.data() + first, outline.near.data() + first},
+        stride);
+    edge_sharpness(film, part, outline.sharp.data() + first, stride);
+    support_coefficients(film, part, outline.support_mm.data() + first, stride);
+    dry_colours(film, part, ground, outline.dry.data() + first, stride, to_rgb);
+    for (int y = 0; y < part.height(); ++y)
+        for (std::ptrdiff_t i = first + static_cast<std::ptrdiff_t>(y) * stride, end = i + part.width();
+             i < end; ++i)
+            outline.sharp[i] *= outline.share[i];
+}
 
 OutlineRows OutlineLayers::rows_from(int first_row) const {
     OutlineRows rows;
@@ -48,19 +67,12 @@ OutlineRows OutlineLayers::rows_from(int first_row) const {
 OutlineLayers outline_layers(const film::FilmState& film, const pigment::Bands& ground,
                              const CellLayers& layers, core::ThreadPool& pool,
                              const pigment::BandsToRgb& to_rgb) {
-    OutlineLayers outline;
-    outline.cells = layers.cells;
-    const std::size_t count = layers.colour.size();
-    outline.share.resize(count);
-    outline.cover.resize(count);
-    outline.near.resize(count);
-    outline.sharp.resize(count);
-    outline.support_mm.resize(count);
-    outline.covered.resize(count);
-    outline.dry.resize(count);
+    OutlineLayers outline(layers.cells);
+    outline.covered.resize(layers.colour.size());
     const std::vector<Rect> bands = bands_of(layers.cells);
     pool.run(bands.size(), [&](std::size_t index, int) {
-        fill_band(film, ground, bands[index], layers, to_rgb, outline);
+        tell_outline(film, ground, bands[index], to_rgb, outline);
+        weigh_colours(layers, bands[index], outline);
     });
     return outline;
 }

@@ -11,6 +11,10 @@ namespace pastoso::shade {
 
 /// Values of the cells of a rectangle, row by row.
 struct OutlineLayers {
+    OutlineLayers() = default;
+    /// Room for all but `covered`.
+    explicit OutlineLayers(const grid::Rect& cells);
+
     grid::Rect cells;
     std::vector<float> share, cover;  ///< OutlineCells
     std::vector<std::uint8_t> near;   ///< the same
@@ -22,6 +26,10 @@ struct OutlineLayers {
     /// The four rows that begin with number `first_row` of the rectangle.
     OutlineRows rows_from(int first_row) const;
 };
+
+/// Sets all but `covered` for a part of the cells.
+void tell_outline(const film::FilmState& film, const pigment::Bands& ground, const grid::Rect& part,
+                  const pigment::BandsToRgb& to_rgb, OutlineLayers& outline);
 
 /// Of the cells of `layers`, which are the film's.
 OutlineLayers outline_layers(const film::FilmState& film, const pigment::Bands& ground,
