@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pastoso::film {
 namespace {
@@ -73,18 +74,39 @@ struct Solver::Parts {
 
     void configure() {
         check_medium(medium);
-        limits = make_limits(medium, gravity, state.cell_mm);
-        constants = make_constants(medium, gravity, options, state.cell_mm);
         consistency = consistency_of(medium);
-        follow_structure();
+        follow_state();
     }
 
-    /// A state that has become another one may come from the time of another medium.
-    void follow_structure() { state.worked.follow(medium.structure_share > 0.0); }
+    /// A state that has become another one may come from the time of another medium. Paint of several
+    /// media keeps its own numbers, all other has the medium's.
+    void follow_state() {
+        const FilmNumbers own = film_numbers_of(medium);
+        if (state.media.are_several())
+            add_medium(state, own);
+        else
+            state.media.become_one(own);
+        set_numbers(own);
+        state.worked.follow(
+            std::any_of(state.media.numbers.begin(), state.media.numbers.end(),
+                        [](const FilmNumbers& numbers) { return numbers.structure_share > 0.0; }));
+    }
+
+    void set_numbers(const FilmNumbers& numbers) {
+        const Medium paint = with_film_numbers(medium, numbers);
+        limits = make_limits(paint, gravity, state.cell_mm);
+        constants = make_constants(paint, gravity, options, state.cell_mm);
+        density_kg_m3 = paint.density_kg_m3;
+    }
+
+    /// Sets the numbers of the media that the next step has to do with.
+    void follow_media();
+    /// Which medium all paint is of that a step of these places looks at; none where there are several.
+    std::optional<int> only_medium(const std::vector<TilePlace>& places) const;
 
     /// Whether what each cell carries has to be looked at.
     bool is_mixed() const { return !state.consistencies.are_only(consistency); }
-    bool is_varied() const { return is_mixed() || state.worked.is_anywhere(); }
+    bool is_varied() const { return is_mixed() || constants.media || state.worked.is_anywhere(); }
     StepConstants constants_of(double dt_s) const {
         StepConstants step = constants;
         step.dt_s = static_cast<float>(dt_s);
@@ -154,6 +176,7 @@ struct Solver::Parts {
     std::vector<AirJet> air;
     StepLimits limits;
     StepConstants constants;
+    double density_kg_m3 = 1000.0;
     Consistency consistency;  ///< of the medium
     ActivityMap activity;
     std::vector<TileBlock<std::int32_t>> window_start;  ///< thickness when a tile's window began
@@ -178,7 +201,7 @@ TilePlace Solver::Parts::place_of(int tile) const {
             .canvas_edges = {canvas_ends(tile, kLeft), canvas_ends(tile, kRight),
                              canvas_ends(tile, kTop), canvas_ends(tile, kBottom)},
             .air = air,
-            .density_kg_m3 = medium.density_kg_m3,
+            .density_kg_m3 = density_kg_m3,
             .pigment_in_reach = pigment_in_reach(tile),
             .motion_reference = reference.read()};
 }
@@ -200,6 +223,7 @@ void Solver::Parts::replace_fields(int tile, TileResult& result) {
     if (result.thickness) state.thickness.replace(tile, std::move(result.thickness));
     if (result.paint) state.paint.replace(tile, std::move(result.paint));
     if (result.worked) state.worked.replace(tile, std::move(result.worked));
+    if (result.media) state.media.replace(tile, std::move(result.media));
     if (result.velocity_x) state.velocity_x.replace(tile, std::move(result.velocity_x));
     if (result.velocity_y) state.velocity_y.replace(tile, std::move(result.velocity_y));
 }
@@ -225,6 +249,26 @@ void Solver::Parts::put_to_sleep(int tile) {
     state.velocity_x.reset(tile);
     state.velocity_y.reset(tile);
     join_like_strata(state, tile);
+    settle_media(state, tile);
+}
+
+std::optional<int> Solver::Parts::only_medium(const std::vector<TilePlace>& places) const {
+    std::optional<int> only;
+    const auto differs = [&](int tile) {
+        if (state.thickness.is_background(tile)) return false;
+        const int own = state.media.own[tile];
+        return state.media.is_mixed(tile) || only.value_or(own) != own || (only = own, false);
+    };
+    for (const TilePlace& place : places)
+        if (any_tile_near(place, state.shape.tiles_x(), differs)) return std::nullopt;
+    return only.value_or(0);
+}
+
+void Solver::Parts::follow_media() {
+    if (!state.media.are_several()) return;
+    const std::optional<int> only = only_medium(places_to_step());
+    set_numbers(only ? state.media.numbers[*only] : bounds_of(state.media.numbers));
+    constants.media = !only;
 }
 
 AdvanceReport Solver::Parts::commit_all(const std::vector<TilePlace>& places, float dt_s,
@@ -292,9 +336,10 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& canc
     double remaining = seconds;
     while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
         if (cancelled()) return false;
-        const StepPlan next = plan_step(
-            {state, activity, limits, air, medium.density_kg_m3, is_mixed(), is_varied(), pool}, options,
-            remaining);
+        follow_media();
+        const StepPlan next =
+            plan_step({state, activity, limits, air, density_kg_m3, is_mixed(), is_varied(), pool},
+                      options, remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
         const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));
         const double dt_s = remaining / steps_left;
@@ -311,8 +356,7 @@ bool Solver::Parts::advance(double seconds, const std::function<bool()>& cancell
     activity.let_pass(seconds, options.longest_wait_s);
     while (const std::optional<double> waited_s = activity.begin_group())
         if (!step_group(*waited_s, cancelled, report)) return false;
-    if (activity.calls() % kCallsOfRest == 0)
-        recover(state, kCallsOfRest * seconds, medium.recovery_s, pool);
+    if (activity.calls() % kCallsOfRest == 0) recover(state, kCallsOfRest * seconds, pool);
     report.awake_tiles = activity.awake_count();
     return true;
 }
@@ -368,7 +412,7 @@ void Solver::wake(const grid::Rect& cells) {
 }
 
 void Solver::wake_all() {
-    parts_->follow_structure();
+    parts_->follow_state();
     for (int tile = 0; tile < parts_->state.shape.tile_count(); ++tile)
         if (!parts_->state.thickness.is_background(tile)) parts_->activity.wake(tile);
 }
@@ -382,7 +426,7 @@ std::vector<bool> Solver::awake_tiles() const {
 
 void Solver::restart(const std::vector<bool>& awake) {
     PASTOSO_CHECK_OP(awake.size(), ==, parts_->window_start.size());
-    parts_->follow_structure();
+    parts_->follow_state();
     parts_->activity.restore(parts_->activity.calls(), std::vector<TileActivity>(awake.size()));
     parts_->window_start.assign(awake.size(), {});
     parts_->large.restore(LargeStepper::Pressures(awake.size()));
@@ -417,8 +461,9 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
 AdvanceReport Solver::step(double dt_s) {
     const bool large = parts_->options.scheme == Scheme::LargeStep;
     parts_->activity.step_all();
+    parts_->follow_media();
     const AdvanceReport report = large ? parts_->large_step(dt_s, false) : parts_->explicit_step(dt_s);
-    recover(parts_->state, dt_s, parts_->medium.recovery_s, parts_->pool);
+    recover(parts_->state, dt_s, parts_->pool);
     return report;
 }
 

@@ -67,6 +67,18 @@ void add_worked(const WorkedPaint& worked, core::Hash64& hash) {
     }
 }
 
+/// Paint of one medium adds nothing, whichever it is.
+void add_media(const FilmState& state, core::Hash64& hash) {
+    const WetMedia& media = state.media;
+    if (!media.are_several()) return;
+    hash.add(std::span<const FilmNumbers>(media.numbers));
+    for (int tile = 0; tile < state.shape.tile_count(); ++tile) {
+        if (state.thickness.is_background(tile)) continue;
+        hash.add_value(media.own[tile]);
+        if (media.is_mixed(tile)) add_tile(media.foreign, tile, hash);
+    }
+}
+
 void add_heights(const SupportHeights& field, core::Hash64& hash) {
     std::array<float, grid::kTileSize> row;
     for (int tile = 0; tile < field.tile_count(); ++tile) {
@@ -127,6 +139,7 @@ std::uint64_t state_hash(const FilmState& state) {
     add_field(state.paint, hash);
     add_lower(state.lower, hash);
     add_worked(state.worked, hash);
+    add_media(state, hash);
     add_field(state.velocity_x, hash);
     add_field(state.velocity_y, hash);
     add_heights(state.support_mm, hash);

@@ -7,6 +7,7 @@
 #include "film/cell/paint_cell.hpp"
 #include "film/cell/strata.hpp"
 #include "film/cell/structure.hpp"
+#include "film/cell/wet_media.hpp"
 #include "film/support/support_heights.hpp"
 #include "grid/tiled_field.hpp"
 
@@ -46,6 +47,7 @@ struct FilmState {
           paint(canvas),
           lower(canvas),
           worked(canvas),
+          media(canvas),
           velocity_x(canvas),
           velocity_y(canvas),
           support_mm(canvas),
@@ -59,6 +61,7 @@ struct FilmState {
     grid::TiledField<PaintCell> paint;   ///< what the wet paint of the cell carries
     LowerStratum lower;                  ///< the part of them that lies below other wet paint
     WorkedPaint worked;                  ///< the part of them that tools and flow have loosened
+    WetMedia media;                      ///< which media they are of
     grid::TiledField<float> velocity_x;  ///< depth mean at the face between (x, y) and (x+1, y), mm/s
     grid::TiledField<float> velocity_y;  ///< depth mean at the face between (x, y) and (x, y+1), mm/s
     SupportHeights support_mm;           ///< c, height of the dry surface below the paint

@@ -23,6 +23,7 @@ struct StepConstants {
     float yield_per_Pa = 1.0F;     ///< 1/rho in these units
     bool mixed = false;            ///< paint of several consistencies: each cell carries its own instead
     bool varied = false;           ///< the cells differ: paint is mixed, or worked in places
+    bool media = false;            ///< paint of several media: each cell has its own numbers besides
 
     float structure_share = 0.0F;   ///< theta: what of both is lost in paint that is worked
     float breakdown_strain = 1.0F;  ///< gamma_b

@@ -55,10 +55,12 @@ TileRheology rheology_of(const PlannedFilm& film, int tile) {
         rheology.viscosity.fill(static_cast<float>(film.limits.viscosity_mm2_s));
         rheology.yield.fill(static_cast<float>(film.limits.yield));
     }
-    if (film.state.worked.is_in(tile))
+    if (film.state.worked.is_in(tile)) {
+        std::array<float, kTileCells> structure_share;
+        structure_share.fill(static_cast<float>(film.limits.structure_share));
         kernels.loosen(film.state.worked.thickness.read(tile), thickness, kTileCells,
-                       static_cast<float>(film.limits.structure_share), rheology.viscosity.data(),
-                       rheology.yield.data());
+                       structure_share.data(), rheology.viscosity.data(), rheology.yield.data());
+    }
     return rheology;
 }
 

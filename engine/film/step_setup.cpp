@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/units.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pastoso::film {
@@ -28,34 +29,71 @@ StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell
     return limits;
 }
 
+CellNumbers<float> cell_numbers(const FilmNumbers& numbers, double cell_mm) {
+    const auto tangent = [](double angle_deg) {
+        return static_cast<float>(std::tan(core::radians(angle_deg)));
+    };
+    return {.density_kg_m3 = static_cast<float>(numbers.density_kg_m3),
+            .tension = static_cast<float>(numbers.surface_tension_N_m / numbers.density_kg_m3 * 1e9),
+            .flow_index = static_cast<float>(numbers.flow_index),
+            .drag_against = static_cast<float>(drag_coefficient(numbers.alpha_min)),
+            .drag_along = static_cast<float>(drag_coefficient(numbers.alpha_max)),
+            .slip_mm = static_cast<float>(numbers.slip_cells * cell_mm),
+            .tan_advancing = tangent(numbers.advancing_angle_deg),
+            .tan_receding = tangent(numbers.receding_angle_deg)};
+}
+
 StepConstants make_constants(const Medium& medium, const Gravity& gravity, const SolverOptions& options,
                              double cell_mm) {
-    const StepLimits limits = make_limits(medium, gravity, cell_mm);
+    const CellNumbers<float> numbers = cell_numbers(film_numbers_of(medium), cell_mm);
     StepConstants step;
     step.cell_mm = static_cast<float>(cell_mm);
     step.inverse_cell = static_cast<float>(1.0 / cell_mm);
     step.gravity_mm_s2 = static_cast<float>(gravity.normal_mm_s2);
     step.force_x_mm_s2 = static_cast<float>(gravity.x_mm_s2);
     step.force_y_mm_s2 = static_cast<float>(gravity.y_mm_s2);
-    step.tension = static_cast<float>(limits.tension);
-    step.viscosity_mm2_s = static_cast<float>(limits.viscosity_mm2_s);
+    step.tension = numbers.tension;
+    step.viscosity_mm2_s = static_cast<float>(medium.viscosity_m2_s * 1e6);
     step.yield_per_Pa = static_cast<float>(1e6 / medium.density_kg_m3);
     step.yield = static_cast<float>(medium.yield_stress_Pa / medium.density_kg_m3 * 1e6);
-    step.drag_against = static_cast<float>(drag_coefficient(medium.alpha_min));
-    step.drag_along = static_cast<float>(drag_coefficient(medium.alpha_max));
-    step.slip_mm = static_cast<float>(medium.slip_cells * cell_mm);
-    step.tan_advancing = static_cast<float>(std::tan(core::radians(medium.advancing_angle_deg)));
-    step.tan_receding = static_cast<float>(std::tan(core::radians(medium.receding_angle_deg)));
+    step.drag_against = numbers.drag_against;
+    step.drag_along = numbers.drag_along;
+    step.slip_mm = numbers.slip_mm;
+    step.tan_advancing = numbers.tan_advancing;
+    step.tan_receding = numbers.tan_receding;
     step.wet_mm = static_cast<float>(1e-4 * cell_mm);
     step.inertia = options.inertia ? 1.0F : 0.0F;
     step.lateral = options.lateral_drag ? 1.0F : 0.0F;
     step.tension_rise2 = options.tension_in_space ? 1.0F : 0.0F;
-    step.horizontal_tension = static_cast<float>(options.horizontal_tension * limits.tension);
-    step.flow_index = static_cast<float>(medium.flow_index);
+    step.horizontal_tension = static_cast<float>(
+        options.horizontal_tension * (medium.surface_tension_N_m / medium.density_kg_m3 * 1e9));
+    step.flow_index = numbers.flow_index;
     step.structure_share = static_cast<float>(medium.structure_share);
     step.breakdown_strain = static_cast<float>(medium.breakdown_strain);
     step.full_curvature = options.full_curvature;
     return step;
+}
+
+FilmNumbers bounds_of(const std::vector<FilmNumbers>& media) {
+    PASTOSO_CHECK(!media.empty());
+    FilmNumbers bounds = media.front();
+    double tension = 0.0, least_advancing_deg = 0.0;
+    for (const FilmNumbers& medium : media) {
+        bounds.density_kg_m3 = std::max(bounds.density_kg_m3, medium.density_kg_m3);
+        bounds.flow_index = std::min(bounds.flow_index, medium.flow_index);
+        bounds.structure_share = std::max(bounds.structure_share, medium.structure_share);
+        bounds.alpha_min = std::min(bounds.alpha_min, medium.alpha_min);
+        bounds.alpha_max = std::max(bounds.alpha_max, medium.alpha_max);
+        bounds.slip_cells = std::max(bounds.slip_cells, medium.slip_cells);
+        tension = std::max(tension, medium.surface_tension_N_m / medium.density_kg_m3);
+        if (medium.advancing_angle_deg > 0.0 &&
+            (least_advancing_deg == 0.0 || medium.advancing_angle_deg < least_advancing_deg))
+            least_advancing_deg = medium.advancing_angle_deg;
+    }
+    bounds.surface_tension_N_m = tension * bounds.density_kg_m3;
+    bounds.advancing_angle_deg = least_advancing_deg;
+    bounds.receding_angle_deg = std::min(bounds.receding_angle_deg, least_advancing_deg);
+    return bounds;
 }
 
 void check_medium(const Medium& medium) {

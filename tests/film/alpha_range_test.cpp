@@ -21,7 +21,7 @@ float drag_on(float slope, float curvature, float speed = 1.0F) {
     face.eta_right = slope;
     face.curvature = curvature;
     face.u = speed;
-    return alpha_drag(face, step);
+    return alpha_drag(face, FacePaint<float, FaceModel{}>{}, step);
 }
 
 // A drop's front falls along the flow and is convex: its tension points back into the drop.

@@ -42,7 +42,7 @@ struct StraightEnd {
 FilmEnd<float> found(const StraightEnd& film) {
     StepConstants step;
     step.tan_advancing = 0.5F;
-    return film_end<float>([&](int x, int y) { return film.mean(x, y); }, step);
+    return film_end<float>([&](int x, int y) { return film.mean(x, y); }, step.tan_advancing, step);
 }
 
 // From cell means alone the slope at the line, and what part of the cell is covered.
@@ -69,9 +69,11 @@ TEST(FilmEnd, IsTheSameMirroredAndTurned) {
     StepConstants step;
     step.tan_advancing = 0.5F;
     const auto at = [&](int x, int y) { return film.mean(x, y); };
-    const FilmEnd<float> end = film_end<float>(at, step);
-    const FilmEnd<float> mirrored = film_end<float>([&](int x, int y) { return at(-x, y); }, step);
-    const FilmEnd<float> turned = film_end<float>([&](int x, int y) { return at(y, -x); }, step);
+    const FilmEnd<float> end = film_end<float>(at, step.tan_advancing, step);
+    const FilmEnd<float> mirrored =
+        film_end<float>([&](int x, int y) { return at(-x, y); }, step.tan_advancing, step);
+    const FilmEnd<float> turned =
+        film_end<float>([&](int x, int y) { return at(y, -x); }, step.tan_advancing, step);
     EXPECT_EQ(mirrored.contact_slope, end.contact_slope);
     EXPECT_EQ(mirrored.depth_y_mm, end.depth_y_mm);
     EXPECT_EQ(turned.contact_slope, end.contact_slope);

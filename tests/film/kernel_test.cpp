@@ -54,6 +54,17 @@ void fill_randomly(std::uint32_t seed, HaloBlock& block, float largest_mm = 0.8F
         block.viscosity[i] = 1000.0F + 4000.0F * uniform(random);
         block.yield[i] = lanes::max(0.0F, 800.0F * uniform(random) - 300.0F);
     }
+    CellNumbers<BlockArray<float>>& numbers = block.numbers;
+    for (int i = 0; i < kBlockCells; ++i) {
+        numbers.density_kg_m3[i] = 900.0F + 400.0F * uniform(random);
+        numbers.tension[i] = 1.5e4F + 1e4F * uniform(random);
+        numbers.flow_index[i] = 0.4F + 0.6F * uniform(random);
+        numbers.drag_along[i] = 2.0F + uniform(random);
+        numbers.drag_against[i] = 4.0F + 8.0F * uniform(random);
+        numbers.slip_mm[i] = 0.1F * uniform(random);
+        numbers.tan_receding[i] = 0.3F * uniform(random);
+        numbers.tan_advancing[i] = numbers.tan_receding[i] + 0.3F * uniform(random);
+    }
     block.first_wet_row = -kHalo;
     block.last_wet_row = kTileSize + kHalo - 1;
 }
@@ -121,11 +132,13 @@ TEST(TileKernel, EqualsTheScalarFormulaToTheBit) {
     EXPECT_GT(flowing, 500);
 }
 
-class TileKernelOfPaint : public testing::TestWithParam<bool> {};
+enum class PaintKind { Uniform, Varied, SeveralMedia };
+class TileKernelOfPaint : public testing::TestWithParam<PaintKind> {};
 
 TEST_P(TileKernelOfPaint, GivesTheSameBitsOnEveryInstructionSet) {
     StepConstants step = oily_constants();
-    step.varied = GetParam();
+    step.varied = GetParam() != PaintKind::Uniform;
+    step.media = GetParam() == PaintKind::SeveralMedia;
     const auto reference = std::make_unique<TileScratch>();
     const auto scratch = std::make_unique<TileScratch>();
     for (const std::uint32_t seed : {1U, 2U, 3U}) {
@@ -322,7 +335,9 @@ TEST_P(StrataKernels, AreTheSameOnEveryInstructionSet) {
 }
 INSTANTIATE_TEST_SUITE_P(ExplicitAndLargeFluxes, StrataKernels, testing::Bool());
 
-INSTANTIATE_TEST_SUITE_P(UniformAndVaried, TileKernelOfPaint, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Kinds, TileKernelOfPaint,
+                         testing::Values(PaintKind::Uniform, PaintKind::Varied,
+                                         PaintKind::SeveralMedia));
 
 // x = 1 is the yield point: (1 + d) x - 3/2 + 1/(2 x^2) = d |w| / y.
 TEST(BinghamDrag, SolvesItsEquation) {

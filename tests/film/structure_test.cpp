@@ -282,6 +282,7 @@ TEST(StructureKernels, AreTheSameOnEveryInstructionSet) {
         const auto moved = [&](core::Isa isa) {
             const auto structure = std::make_unique<StructureScratch>();
             structure->quanta = input.worked;
+            structure->breakdown_strain.fill(1.3F);
             std::vector<std::int32_t> worked(grid::kTileCells);
             core::kernels<TileKernels>(isa).move_structure({1e6F}, *input.scratch, *structure,
                                                            input.after.data(), worked.data());
@@ -289,9 +290,10 @@ TEST(StructureKernels, AreTheSameOnEveryInstructionSet) {
         };
         const auto loosened = [&](core::Isa isa) {
             std::vector<float> both(2 * kBlockCells, 123.4F);
+            const std::vector<float> share(kBlockCells, 0.7F);
             core::kernels<TileKernels>(isa).loosen(input.worked.data(),
-                                                   input.scratch->block.quanta.data(), kBlockCells, 0.7F,
-                                                   both.data(), both.data() + kBlockCells);
+                                                   input.scratch->block.quanta.data(), kBlockCells,
+                                                   share.data(), both.data(), both.data() + kBlockCells);
             return both;
         };
         for (const core::Isa isa : {core::Isa::Avx2, core::Isa::Avx512}) {

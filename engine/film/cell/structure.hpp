@@ -38,8 +38,8 @@ struct WorkedPaint {
     grid::TiledField<std::int32_t> thickness;  ///< b, quanta, 0..h
 };
 
-/// Lets paint rest for `seconds`: b falls by exp(-seconds / recovery_s). What is left of less than a
-/// 16384th of the cell's paint is lost.
-void recover(FilmState& state, double seconds, double recovery_s, core::ThreadPool& pool);
+/// Lets paint rest for `seconds`: b falls by exp(-seconds / T). What is left of less than a 16384th of
+/// the cell's paint is lost.
+void recover(FilmState& state, double seconds, core::ThreadPool& pool);
 
 }  // namespace pastoso::film

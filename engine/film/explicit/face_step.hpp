@@ -66,7 +66,8 @@ PASTOSO_LANE_FUNCTION FaceDrag<F> face_drag(const FaceDrive<kModel, F>& drive,
                            lateral_viscosity(drive.viscosity, lambda.rate, step) * drive.laplacian;
     result.drag = lambda.rate * F(step.dt_s);
     result.relaxation = lambda.inverse;
-    if constexpr (kModel.shear_thinning) result.relaxation = lambda.inverse * F(1.0F / step.flow_index);
+    if constexpr (kModel.shear_thinning)
+        result.relaxation = lambda.inverse * (F(1.0F) / drive.paint.flow_index(step));
     result.stress = F(0.0F);
     if constexpr (kModel.yield)
         result.stress = stopping_stress(result.drag, drive.drag_thickness, result.unresisted,

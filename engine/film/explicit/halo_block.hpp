@@ -2,6 +2,7 @@
 // reads.
 #pragma once
 
+#include "film/cell/film_numbers.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
 
@@ -53,6 +54,7 @@ struct HaloBlock {
     alignas(64) BlockArray<float> yield;          ///< tau_y/rho, mm2/s2; likewise
     alignas(64) BlockArray<float> air;            ///< pressure of air over density, mm2/s2 (air_jet.hpp)
     bool pressed = false;                         ///< whether there is any; else `air` means nothing
+    CellNumbers<BlockArray<float>> numbers;       ///< where there are several media (numbers_block.hpp)
     int first_wet_row = 0, last_wet_row = -1;     ///< rows of the block with more than `wet_mm`
 };
 

@@ -1,7 +1,6 @@
 // Compiled once per instruction set; see pastoso_add_kernels.
 #include "film/explicit/tile_kernels.hpp"
-#include "film/face/film_end.hpp"
-#include "film/face/lane_groups.hpp"
+#include "film/face/face_loading.hpp"
 
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
@@ -23,8 +22,9 @@ void find_ends(const StepConstants& step, int y, const HaloBlock& block, FilmEnd
         const int i = block_index(x, y);
         const float* h = thickness + i;
         if (inside_film(h, Lanes(step.wet_mm))) return store(&ends.slope[i], Lanes(0.0F));
-        const FilmEnd<Lanes> end = film_end<Lanes>(
-            [h](int right, int below) { return load(h + below * kBlockStride + right); }, step);
+        const FilmEnd<Lanes> end =
+            film_end<Lanes>([h](int right, int below) { return load(h + below * kBlockStride + right); },
+                            cell_number(block.numbers.tan_advancing, step.tan_advancing, i, step), step);
         store(&ends.normal_x[i], end.normal_x);
         store(&ends.normal_y[i], end.normal_y);
         store(&ends.contact_slope[i], end.contact_slope);
@@ -48,15 +48,17 @@ Lanes bent(Lanes slope, Lanes slope_across) {
 /// it, and at the side of the film.
 template <bool kFullCurvature>
 struct EndSlope {
-    const FilmEnds& ends;
+    const TileScratch& scratch;
     const StepConstants& step;
     const float* normal_along;
 
     Lanes at_dry(int i) const {
-        return along(i, lanes::clamp(load(&ends.contact_slope[i]), Lanes(step.tan_receding),
-                                     Lanes(step.tan_advancing)));
+        const CellNumbers<BlockArray<float>>& numbers = scratch.block.numbers;
+        return along(i, lanes::clamp(load(&scratch.ends.contact_slope[i]),
+                                     cell_number(numbers.tan_receding, step.tan_receding, i, step),
+                                     cell_number(numbers.tan_advancing, step.tan_advancing, i, step)));
     }
-    Lanes at_film(int i) const { return along(i, load(&ends.slope[i])); }
+    Lanes at_film(int i) const { return along(i, load(&scratch.ends.slope[i])); }
 
   private:
     Lanes along(int i, Lanes slope) const {
@@ -65,7 +67,8 @@ struct EndSlope {
 };
 
 /// The slope at faces along one axis (`axis` and `across` are index strides), where the film ends that
-/// of its end.
+/// of its end. Of several media, times the tension there over the step's: tension pulls along the
+/// surface.
 template <bool kFullCurvature>
 void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, int axis, int across,
                  const float* normal_along, float* slopes) {
@@ -73,7 +76,7 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
     const float* h = block.thickness.data();
     const float* eta = block.eta.data();
     const float* end_slope = scratch.ends.slope.data();
-    const EndSlope<kFullCurvature> end{scratch.ends, step, normal_along};
+    const EndSlope<kFullCurvature> end{scratch, step, normal_along};
     const Lanes wet(step.wet_mm), inverse_cell(step.inverse_cell), zero(0.0F);
     for_each_lane_group(-2, kTileSize + 1, [&](int x) {
         const int left = block_index(x, y), right = left + axis;
@@ -83,7 +86,11 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
                                    ((load(eta + left + across) - load(eta + left - across)) +
                                     (load(eta + right + across) - load(eta + right - across)));
         Lanes result = bent<kFullCurvature>(slope, slope_across);
-        if (!step.has_contact_angle()) return store(slopes + left, result);
+        const auto put = [&](Lanes slope_there) {
+            store(slopes + left,
+                  step.media ? relative_tension(block, step, left, right) * slope_there : slope_there);
+        };
+        if (!step.has_contact_angle()) return put(result);
         const auto wet_left = h_left > wet, wet_right = h_right > wet, both = wet_left && wet_right;
         if (!lanes::all(both)) {
             const Lanes edge = lanes::select(wet_left, Lanes(-end.at_dry(left)),
@@ -97,7 +104,7 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
                 lanes::select(ends_right, Lanes(-end.at_film(right)), end.at_film(left));
             result = lanes::select(ends_left || ends_right, within, result);
         }
-        store(slopes + left, result);
+        put(result);
     });
 }
 

@@ -46,10 +46,10 @@ std::int32_t gained(const FaceArray<std::int32_t>& through_x, const FaceArray<st
 
 }  // namespace
 
-void loosen(const std::int32_t* worked, const std::int32_t* thickness, int count, float structure_share,
-            float* viscosity, float* yield) {
+void loosen(const std::int32_t* worked, const std::int32_t* thickness, int count,
+            const float* structure_share, float* viscosity, float* yield) {
     for (int i = 0; i < count; ++i) {
-        const float left = 1.0F - structure_share * worked_share(worked[i], thickness[i]);
+        const float left = 1.0F - structure_share[i] * worked_share(worked[i], thickness[i]);
         viscosity[i] *= left;
         yield[i] *= left;
     }
@@ -70,7 +70,8 @@ void move_structure(const StructureStep& step, const TileScratch& scratch, Struc
             const std::int32_t carried =
                 structure.quanta[cell] + gained(structure.flux_x, structure.flux_y, f);
             const std::int32_t worked = lanes::max(lanes::min(carried, whole), 0);
-            const float k = strain(scratch, f, scratch.block.quanta[cell], step.strain_per_share);
+            const float k = strain(scratch, f, scratch.block.quanta[cell],
+                                   step.shear_quanta / structure.breakdown_strain[cell]);
             const float intact = static_cast<float>(whole - worked) / (1.0F + k * (1.0F + 0.5F * k));
             const std::int32_t broken = whole - static_cast<std::int32_t>(intact);
             worked_after[i] = lanes::max(worked, broken);

@@ -12,16 +12,13 @@
 
 namespace pastoso::film {
 
-/// What of the step concerns structure.
-StructureStep structure_step(const StepConstants& step, const FilmProfile& profile);
-
 /// Gathers the worked paint in and around a tile. False when there is none.
 bool gather_worked(const FilmState& state, const TilePlace& place, BlockArray<std::int32_t>& worked);
 
 /// The worked paint after a step whose fluxes are in the worker's scratch, where the new thickness is
 /// known.
 grid::TileBlock<std::int32_t> moved_structure(const FilmState& state, const TilePlace& place,
-                                              const StructureStep& step,
+                                              const StepConstants& step, const FilmProfile& profile,
                                               const std::int32_t* thickness_after,
                                               WorkerScratch& worker);
 

@@ -21,8 +21,8 @@ StrataMoved transport_strata(const TileScratch& scratch, const StrataScratch& up
                              int rows, const OpenEdges& runoff_edges, const StrataPaint& paint);
 void cell_rheology(const PaintCell* paint, const std::int32_t* thickness, int count, float yield_per_Pa,
                    float* viscosity, float* yield);
-void loosen(const std::int32_t* worked, const std::int32_t* thickness, int count, float structure_share,
-            float* viscosity, float* yield);
+void loosen(const std::int32_t* worked, const std::int32_t* thickness, int count,
+            const float* structure_share, float* viscosity, float* yield);
 void move_structure(const StructureStep& step, const TileScratch& scratch, StructureScratch& structure,
                     const std::int32_t* thickness_after, std::int32_t* worked_after);
 void apply_fluxes(const TileScratch& scratch, std::int32_t* after);

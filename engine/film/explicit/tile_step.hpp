@@ -56,10 +56,12 @@ struct FilmProfile {
 struct StructureScratch {
     alignas(64) BlockArray<std::int32_t> quanta;  ///< b
     alignas(64) BlockArray<float> share;          ///< b / h
+    alignas(64) BlockArray<float> structure_share, breakdown_strain;  ///< theta and gamma_b of the paint
     alignas(64) FaceArray<std::int32_t> flux_x, flux_y;
 };
 struct StructureStep {
-    float strain_per_share;  ///< k of a step that carries all of a cell by as many quanta as it is thick
+    float
+        shear_quanta;  ///< gamma of a step that carries all of a cell, times how many quanta it is thick
 };
 
 /// Which faces of a tile are shut: a wall, a neighbour that sleeps or has other paint to wait for; and,
@@ -198,9 +200,9 @@ using LargestChanges = void (*)(const std::int32_t* before, const std::int32_t* 
 using CellRheology = void (*)(const PaintCell* paint, const std::int32_t* thickness, int count,
                               float yield_per_Pa, float* viscosity, float* yield);
 
-/// Both of `count` cells times 1 - structure_share b / h.
+/// Both of `count` cells times 1 - structure_share b / h, with each one's own.
 using Loosen = void (*)(const std::int32_t* worked, const std::int32_t* thickness, int count,
-                        float structure_share, float* viscosity, float* yield);
+                        const float* structure_share, float* viscosity, float* yield);
 
 /// The worked paint after a step, of all 64 x 64 cells; what it writes beyond the canvas means nothing.
 using MoveStructure = void (*)(const StructureStep& step, const TileScratch& scratch,

@@ -2,6 +2,7 @@
 
 #include "film/explicit/air_block.hpp"
 #include "film/explicit/concentration_block.hpp"
+#include "film/explicit/numbers_block.hpp"
 #include "film/explicit/rheology_block.hpp"
 #include "film/explicit/strata_transport.hpp"
 #include "film/explicit/structure_transport.hpp"
@@ -120,6 +121,40 @@ void move_pigment(const FilmState& state, const TilePlace& place, WorkerScratch&
                result);
 }
 
+/// Lowers what a cell holds of other media to what it holds of paint.
+void keep_within(const std::int32_t* thickness, MediaCell* cells) {
+    for (int cell = 0; cell < grid::kTileCells; ++cell) {
+        std::int32_t left = thickness[cell];
+        for (std::int32_t& amount : cells[cell]) {
+            amount = std::clamp(amount, 0, left);
+            left -= amount;
+        }
+    }
+}
+
+/// Where each medium goes, by the same law as pigment.
+TileBlock<MediaCell> moved_media(const FilmState& state, const TilePlace& place,
+                                 const std::int32_t* thickness_after, WorkerScratch& worker) {
+    if (!gather_media(state, place.columns, place.rows, place.tile, worker.concentrations.data()))
+        return {};
+    TileBlock<MediaCell> cells = new_paint(place);
+    core::kernels<TileKernels>().transport(worker.tile, worker.concentrations.data(), nullptr,
+                                           place.columns.extent, place.rows.extent, place.runoff_edges,
+                                           state.media.foreign.read(place.tile), cells.write());
+    keep_within(thickness_after, cells.write());
+    return cells;
+}
+
+/// Gives each medium's paint its own density, where all have had the step's.
+void weigh_media(const StepConstants& step, HaloBlock& block) {
+    const float density_kg_m3 = 1e6F / step.yield_per_Pa;
+    for (int i = 0; i < kBlockCells; ++i) {
+        const float lighter = density_kg_m3 / block.numbers.density_kg_m3[i];
+        block.yield[i] *= lighter;
+        if (block.pressed) block.air[i] *= lighter;
+    }
+}
+
 /// Viscosity and yield stress of every cell, after gather().
 void gather_rheology(const FilmState& state, const TilePlace& place, const StepConstants& step,
                      WorkerScratch& worker) {
@@ -132,9 +167,14 @@ void gather_rheology(const FilmState& state, const TilePlace& place, const StepC
         block.viscosity.fill(step.viscosity_mm2_s);
         block.yield.fill(step.yield);
     }
-    if (gather_worked(state, place, worker.structure->quanta))
-        kernels.loosen(worker.structure->quanta.data(), block.quanta.data(), kBlockCells,
-                       step.structure_share, block.viscosity.data(), block.yield.data());
+    if (!gather_worked(state, place, worker.structure->quanta)) return;
+    if (step.media)
+        gather_number(state, place.columns, place.rows, place.tile_x, &FilmNumbers::structure_share,
+                      worker.structure->structure_share);
+    else
+        worker.structure->structure_share.fill(step.structure_share);
+    kernels.loosen(worker.structure->quanta.data(), block.quanta.data(), kBlockCells,
+                   worker.structure->structure_share.data(), block.viscosity.data(), block.yield.data());
 }
 
 /// The drag is 6 / (3 alpha - 1).
@@ -151,8 +191,9 @@ void move_paint(const FilmState& state, const TilePlace& place, const StepConsta
     result.runoff.thickness = thickness_runoff(worker.tile, columns, rows, place.runoff_edges);
     const FilmProfile profile = profile_of(step);
     if (state.worked.is_followed)
-        result.worked = moved_structure(state, place, structure_step(step, profile),
-                                        result.thickness.read(), worker);
+        result.worked = moved_structure(state, place, step, profile, result.thickness.read(), worker);
+    if (state.media.are_several())
+        result.media = moved_media(state, place, result.thickness.read(), worker);
     if (gather_strata(state, place, worker.tile.block, *worker.strata))
         move_strata(state, place, profile, worker, result);
     else if (place.pigment_in_reach)
@@ -200,8 +241,10 @@ TileResult collect_tile(const FilmState& state, const TilePlace& place, const St
 void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
                  WorkerScratch& worker) {
     gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    if (step.media) gather_numbers(state, place.columns, place.rows, place.tile_x, worker.tile.block);
     if (step.varied) gather_rheology(state, place, step, worker);
     press(place.air, place.density_kg_m3, place.columns, place.rows, step.cell_mm, worker.tile.block);
+    if (step.media) weigh_media(step, worker.tile.block);
 }
 
 TileResult update_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,

@@ -44,6 +44,7 @@ struct TileResult {
     grid::TileBlock<PaintCell> paint;
     std::vector<LowerChange> lower;
     grid::TileBlock<std::int32_t> worked;
+    grid::TileBlock<MediaCell> media;
     grid::TileBlock<float> velocity_x, velocity_y;
     FlowExtremes extremes;
     SideSpeeds side_speeds_mm_s{};

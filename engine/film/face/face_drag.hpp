@@ -13,8 +13,9 @@ namespace pastoso::film {
 /// space: where the surface is level, the tension has no direction along the canvas
 /// (docs/decisions/0011). Where the radius of curvature exceeds 5000 cells or the paint is still, the
 /// cosine is only rounding noise: it fades to 0 there.
-template <class F>
-PASTOSO_LANE_FUNCTION F alpha_drag(const FaceNeighbourhood<F>& face, const StepConstants& step) {
+template <class F, class Paint>
+PASTOSO_LANE_FUNCTION F alpha_drag(const FaceNeighbourhood<F>& face, const Paint& paint,
+                                   const StepConstants& step) {
     const F slope_x((face.eta_right - face.eta_left) * F(step.inverse_cell));
     const F slope_y = face.eta_slope_across;
     const F uphill = slope_x * face.u + slope_y * face.v;
@@ -23,8 +24,7 @@ PASTOSO_LANE_FUNCTION F alpha_drag(const FaceNeighbourhood<F>& face, const StepC
     const F flat(2e-4F * step.inverse_cell);
     const F cosine = face.curvature * uphill /
                      ((lanes::abs(face.curvature) + flat) * (lanes::sqrt(norm2) + F(1e-8F)));
-    const F mean(0.5F * (step.drag_along + step.drag_against));
-    return mean + F(0.5F * (step.drag_along - step.drag_against)) * cosine;
+    return paint.mean_drag(step) + paint.drag_range(step) * cosine;
 }
 
 /// Drag rate lambda = k_d nu / (h (h + 3 slip)), 1/s, and its inverse.
@@ -33,9 +33,9 @@ struct DragRate {
     F rate, inverse;
 };
 template <class F>
-PASTOSO_LANE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, F viscosity, F fluidity,
-                                            const StepConstants& step) {
-    const F area = thickness * (thickness + F(3.0F * step.slip_mm)) + F(1e-12F);
+PASTOSO_LANE_FUNCTION DragRate<F> drag_rate(F coefficient, F thickness, F slip_mm, F viscosity,
+                                            F fluidity) {
+    const F area = thickness * (thickness + F(3.0F) * slip_mm) + F(1e-12F);
     const F quotient = F(1.0F) / (coefficient * area);
     return {viscosity * coefficient * (coefficient * quotient), fluidity * area * (area * quotient)};
 }

@@ -17,6 +17,41 @@ struct Axis {
     float force, force_across;
 };
 
+/// A number of the paint in cell i of a block, of which all of it has `of_all` unless it is of several
+/// media.
+[[maybe_unused, gnu::always_inline]] inline Lanes cell_number(const BlockArray<float>& of_cells,
+                                                              float of_all, int i,
+                                                              const StepConstants& step) {
+    return step.media ? load(&of_cells[i]) : Lanes(of_all);
+}
+
+/// The tension at a face of several media, over the step's: the mean of both cells, or the wet one's.
+[[maybe_unused, gnu::always_inline]] inline Lanes relative_tension(const HaloBlock& block,
+                                                                   const StepConstants& step, int left,
+                                                                   int right) {
+    const auto wet_left = load(&block.thickness[left]) > Lanes(step.wet_mm);
+    const auto wet_right = load(&block.thickness[right]) > Lanes(step.wet_mm);
+    const Lanes of_left = load(&block.numbers.tension[left]);
+    const Lanes of_right = load(&block.numbers.tension[right]);
+    const Lanes tension = lanes::select(wet_left && wet_right, Lanes(Lanes(0.5F) * (of_left + of_right)),
+                                        lanes::select(wet_left, of_left, of_right));
+    return Lanes(step.tension > 0.0F ? 1.0F / step.tension : 0.0F) * tension;
+}
+
+template <class Load>
+[[gnu::always_inline]] inline CellNumbers<Lanes> cell_numbers(const HaloBlock& block,
+                                                              const Load& load_at, int i) {
+    const CellNumbers<BlockArray<float>>& numbers = block.numbers;
+    return {.density_kg_m3 = load_at(&numbers.density_kg_m3[i]),
+            .tension = load_at(&numbers.tension[i]),
+            .flow_index = load_at(&numbers.flow_index[i]),
+            .drag_against = load_at(&numbers.drag_against[i]),
+            .drag_along = load_at(&numbers.drag_along[i]),
+            .slip_mm = load_at(&numbers.slip_mm[i]),
+            .tan_advancing = load_at(&numbers.tan_advancing[i]),
+            .tan_receding = load_at(&numbers.tan_receding[i])};
+}
+
 template <class Load>
 [[gnu::always_inline]] inline CellEnd<Lanes> cell_end(const FilmEnds& ends, const Axis& axis,
                                                       const Load& load_at, int i) {
@@ -74,6 +109,10 @@ template <FaceModel kModel, class Load>
         face.yield_left = load_at(&block.yield[i]);
         face.yield_right = load_at(&block.yield[i + s]);
     }
+    if constexpr (kModel.media) {
+        face.numbers_left = cell_numbers(block, load_at, i);
+        face.numbers_right = cell_numbers(block, load_at, i + s);
+    }
     return face;
 }
 
@@ -130,6 +169,13 @@ auto with_varied_model(const StepConstants& step, const Visit& visit) {
                              .horizontal_tension = true,
                              .shear_thinning = true,
                              .varied = true};
+    constexpr FaceModel kMedia{.yield = true,
+                               .alpha_range = true,
+                               .horizontal_tension = true,
+                               .shear_thinning = true,
+                               .varied = true,
+                               .media = true};
+    if (step.media) return visit.template operator()<kMedia>();
     const bool rare = step.is_shear_thinning() || step.has_horizontal_tension();
     return rare ? visit.template operator()<kAll>() : visit.template operator()<kVaried>();
 }

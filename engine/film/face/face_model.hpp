@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/lanes.hpp"
+#include "film/cell/film_numbers.hpp"
 #include "film/step_constants.hpp"
 
 #include <cstddef>
@@ -19,6 +20,7 @@ struct FaceModel {
     bool horizontal_tension = false;
     bool shear_thinning = false;
     bool varied = false;  ///< every cell has its own viscosity and yield stress
+    bool media = false;   ///< and all other numbers of its own medium
 };
 
 /// How the film ends in a cell, as far as one of its faces needs to know it; see FilmEnd.
@@ -58,6 +60,7 @@ struct FaceNeighbourhood {
     F v;                                ///< old velocity along the face, mean of the four around it
     F viscosity_left, viscosity_right;  ///< mm2/s; of varied paint only
     F yield_left, yield_right;          ///< tau_y/rho, mm2/s2; of varied paint only
+    CellNumbers<F> numbers_left, numbers_right;  ///< of several media only
 };
 
 /// How much a value rises from cell to cell along a face: the mean over those of the four steps in the
@@ -81,7 +84,7 @@ PASTOSO_LANE_FUNCTION F difference_across(const Value& value, const Wet& wet, st
 
 /// The consistency of the paint at a face. Uniform paint has the step's and stores nothing.
 template <class F, bool kVaried>
-struct FacePaint {
+struct FaceConsistency {
     static F viscosity(const StepConstants& step) { return F(step.viscosity_mm2_s); }
     static F fluidity(const StepConstants& step) { return F(1.0F / step.viscosity_mm2_s); }
     static F against_yield(const StepConstants& step) { return F(step.viscosity_mm2_s / step.yield); }
@@ -90,7 +93,7 @@ struct FacePaint {
     }
 };
 template <class F>
-struct FacePaint<F, true> {
+struct FaceConsistency<F, true> {
     F nu, tau;  ///< mm2/s, mm2/s2
 
     F viscosity(const StepConstants&) const { return nu; }
@@ -101,24 +104,93 @@ struct FacePaint<F, true> {
     }
 };
 
-/// What flows through a face is taken as an equal mixture of both cells: the mean of ln nu and that of
-/// tau_y, as anywhere else (paint_cell.hpp). At the film's edge it is the wet cell's paint. A trace of
-/// yield stress stands for none.
-template <FaceModel kModel, class F>
-PASTOSO_LANE_FUNCTION FacePaint<F, kModel.varied> face_paint(const FaceNeighbourhood<F>& face,
-                                                             const StepConstants& step) {
-    if constexpr (!kModel.varied) {
-        return {};
-    } else {
-        const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
-        const auto wet_both = wet_left && wet_right;
-        const F nu = lanes::sqrt(F(face.viscosity_left * face.viscosity_right));
-        const F tau = F(0.5F) * (face.yield_left + face.yield_right);
-        const F edge_nu = lanes::select(wet_left, face.viscosity_left, face.viscosity_right);
-        const F edge_tau = lanes::select(wet_left, face.yield_left, face.yield_right);
-        return {lanes::select(wet_both, nu, edge_nu),
-                lanes::max(F(lanes::select(wet_both, tau, edge_tau)), F(1e-9F))};
+/// The other numbers of the paint at a face, likewise.
+template <class F, bool kMedia>
+struct FaceNumbers {
+    static F tension(const StepConstants& step) { return F(step.tension); }
+    static F flow_index(const StepConstants& step) { return F(step.flow_index); }
+    static F mean_drag(const StepConstants& step) {
+        return F(0.5F * (step.drag_along + step.drag_against));
     }
+    static F drag_range(const StepConstants& step) {
+        return F(0.5F * (step.drag_along - step.drag_against));
+    }
+    static F drag_along(const StepConstants& step) { return F(step.drag_along); }
+    static F slip_mm(const StepConstants& step) { return F(step.slip_mm); }
+    static F tan_advancing(const StepConstants& step) { return F(step.tan_advancing); }
+    static F tan_receding(const StepConstants& step) { return F(step.tan_receding); }
+};
+template <class F>
+struct FaceNumbers<F, true> {
+    CellNumbers<F> numbers;
+
+    F tension(const StepConstants&) const { return numbers.tension; }
+    F flow_index(const StepConstants&) const { return numbers.flow_index; }
+    F mean_drag(const StepConstants&) const {
+        return F(0.5F) * (numbers.drag_along + numbers.drag_against);
+    }
+    F drag_range(const StepConstants&) const {
+        return F(0.5F) * (numbers.drag_along - numbers.drag_against);
+    }
+    F drag_along(const StepConstants&) const { return numbers.drag_along; }
+    F slip_mm(const StepConstants&) const { return numbers.slip_mm; }
+    F tan_advancing(const StepConstants&) const { return numbers.tan_advancing; }
+    F tan_receding(const StepConstants&) const { return numbers.tan_receding; }
+};
+
+template <class F, FaceModel kModel>
+struct FacePaint : FaceConsistency<F, kModel.varied>, FaceNumbers<F, kModel.media> {};
+
+/// The mean of ln nu and that of tau_y of both cells, as in any mixture (paint_cell.hpp); where one of
+/// them is dry, the wet cell's. A trace of yield stress stands for none.
+template <class F>
+PASTOSO_LANE_FUNCTION FaceConsistency<F, true> face_consistency(const FaceNeighbourhood<F>& face,
+                                                                const StepConstants& step) {
+    const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
+    const auto wet_both = wet_left && wet_right;
+    const F nu = lanes::sqrt(F(face.viscosity_left * face.viscosity_right));
+    const F tau = F(0.5F) * (face.yield_left + face.yield_right);
+    const F edge_nu = lanes::select(wet_left, face.viscosity_left, face.viscosity_right);
+    const F edge_tau = lanes::select(wet_left, face.yield_left, face.yield_right);
+    return {lanes::select(wet_both, nu, edge_nu),
+            lanes::max(F(lanes::select(wet_both, tau, edge_tau)), F(1e-9F))};
+}
+
+/// The means of both cells; where one of them is dry, the wet cell's. The angles are those of the
+/// thinner of the wet ones, in which the film ends if it does.
+template <class F>
+PASTOSO_LANE_FUNCTION FaceNumbers<F, true> face_numbers(const FaceNeighbourhood<F>& face,
+                                                        const StepConstants& step) {
+    const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
+    const auto wet_both = wet_left && wet_right;
+    const CellNumbers<F>&left = face.numbers_left, &right = face.numbers_right;
+    const auto mean = [&](F CellNumbers<F>::*number) {
+        return lanes::select(wet_both, F(F(0.5F) * (left.*number + right.*number)),
+                             lanes::select(wet_left, left.*number, right.*number));
+    };
+    const auto ends_left = wet_left && (!wet_right || face.h_left < face.h_right);
+    const auto at_end = [&](F CellNumbers<F>::*number) {
+        return lanes::select(ends_left, left.*number, right.*number);
+    };
+    return {{.density_kg_m3 = mean(&CellNumbers<F>::density_kg_m3),
+             .tension = mean(&CellNumbers<F>::tension),
+             .flow_index = mean(&CellNumbers<F>::flow_index),
+             .drag_against = mean(&CellNumbers<F>::drag_against),
+             .drag_along = mean(&CellNumbers<F>::drag_along),
+             .slip_mm = mean(&CellNumbers<F>::slip_mm),
+             .tan_advancing = at_end(&CellNumbers<F>::tan_advancing),
+             .tan_receding = at_end(&CellNumbers<F>::tan_receding)}};
+}
+
+/// What flows through a face is taken as an equal mixture of both cells.
+template <FaceModel kModel, class F>
+PASTOSO_LANE_FUNCTION FacePaint<F, kModel> face_paint(const FaceNeighbourhood<F>& face,
+                                                      const StepConstants& step) {
+    FacePaint<F, kModel> paint;
+    if constexpr (kModel.varied)
+        static_cast<FaceConsistency<F, true>&>(paint) = face_consistency(face, step);
+    if constexpr (kModel.media) static_cast<FaceNumbers<F, true>&>(paint) = face_numbers(face, step);
+    return paint;
 }
 
 }  // namespace pastoso::film

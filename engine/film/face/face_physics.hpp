@@ -67,20 +67,20 @@ struct ContactFace {
 /// what tension does not balance at the contact line, sigma (slope^2 - angle^2) / 2 a length, moves a
 /// cell of film of that thickness; and the paint's weight.
 template <class F>
-PASTOSO_LANE_FUNCTION F contact_push(F slope, F angle, F normal_along, F thickness, F drop,
+PASTOSO_LANE_FUNCTION F contact_push(F slope, F angle, F normal_along, F thickness, F drop, F tension,
                                      const StepConstants& step) {
     const F unbalanced = (slope * slope - angle * angle) * normal_along;
     return F(step.gravity_mm_s2 * step.inverse_cell) * drop +
-           F(0.5F * step.tension * step.inverse_cell) * unbalanced / (thickness + F(1e-30F));
+           F(0.5F) * tension * F(step.inverse_cell) * unbalanced / (thickness + F(1e-30F));
 }
 
 /// A face between wet and dry. It lets through what the wet cell holds over a wedge of the advancing
 /// angle that fills it, if that stands above the dry cell (and the negligible film in it) and is driven
 /// outwards; without a contact angle, all.
-template <class F>
-PASTOSO_LANE_FUNCTION ContactFace<F> edge_of_dry(const FaceNeighbourhood<F>& face,
+template <class F, class Paint>
+PASTOSO_LANE_FUNCTION ContactFace<F> edge_of_dry(const FaceNeighbourhood<F>& face, const Paint& paint,
                                                  const StepConstants& step, F force) {
-    const F zero(0.0F), one(1.0F), wet_mm(step.wet_mm), angle(step.tan_advancing);
+    const F zero(0.0F), one(1.0F), wet_mm(step.wet_mm), angle = paint.tan_advancing(step);
     const auto wet_left = face.h_left > wet_mm, wet_right = face.h_right > wet_mm;
     const F sign = lanes::select(wet_left, one, F(-1.0F));
     const F h_wet = lanes::select(wet_left, face.h_left, face.h_right);
@@ -93,7 +93,7 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_of_dry(const FaceNeighbourhood<F>& fac
     }
     const F dragging_mm = step.has_contact_angle() ? F(0.5F * step.cell_mm) * end.contact_slope : h_wet;
     const F push = contact_push(lanes::max(end.contact_slope, angle), angle, end.normal_along,
-                                dragging_mm, drop, step);
+                                dragging_mm, drop, paint.tension(step), step);
     const F acceleration = force + sign * push;
     const auto open = (wet_left || wet_right) && drop > zero && sign * acceleration > zero;
     const F passing_mm = lanes::select(open, lanes::min(end.over_mm, h_wet), zero);
@@ -103,10 +103,11 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_of_dry(const FaceNeighbourhood<F>& fac
 /// A face between the film and the cell that it ends in. The contact line moves out where the surface is
 /// steeper than the advancing angle and back where it is flatter than the receding one, until it is
 /// no more; between them it stands.
-template <class F>
-PASTOSO_LANE_FUNCTION ContactFace<F> edge_within(const FaceNeighbourhood<F>& face,
+template <class F, class Paint>
+PASTOSO_LANE_FUNCTION ContactFace<F> edge_within(const FaceNeighbourhood<F>& face, const Paint& paint,
                                                  const StepConstants& step, F force) {
-    const F zero(0.0F), one(1.0F), advancing(step.tan_advancing), receding(step.tan_receding);
+    const F zero(0.0F), one(1.0F), advancing = paint.tan_advancing(step),
+                                   receding = paint.tan_receding(step);
     const auto right = ends_right(face);
     const F sign = lanes::select(right, one, F(-1.0F));
     const CellEnd<F> end = select_end(right, face.end_right, face.end_left);
@@ -115,7 +116,8 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_within(const FaceNeighbourhood<F>& fac
     const auto steep = end.contact_slope > advancing, flat = end.contact_slope < receding;
     const F angle = lanes::select(steep, advancing, receding);
     const F dragging_mm = F(0.5F * step.cell_mm) * end.contact_slope;
-    const F push = contact_push(end.contact_slope, angle, end.normal_along, dragging_mm, drop, step);
+    const F push = contact_push(end.contact_slope, angle, end.normal_along, dragging_mm, drop,
+                                paint.tension(step), step);
     const F acceleration = force + sign * push;
     const F outwards = sign * acceleration;
     const auto open = (steep && outwards > zero) || (flat && outwards < zero);
@@ -129,17 +131,33 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_within(const FaceNeighbourhood<F>& fac
     return {acceleration, dragging_mm, lanes::select(open, passing_mm, zero), most_mm};
 }
 
-template <class F>
-PASTOSO_LANE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& face,
+template <class F, class Paint>
+PASTOSO_LANE_FUNCTION ContactFace<F> contact_face(const FaceNeighbourhood<F>& face, const Paint& paint,
                                                   const StepConstants& step, F force) {
-    const ContactFace<F> dry = edge_of_dry(face, step, force);
+    const ContactFace<F> dry = edge_of_dry(face, paint, step, force);
     if (!step.has_contact_angle()) return dry;
-    const ContactFace<F> within = edge_within(face, step, force);
+    const ContactFace<F> within = edge_within(face, paint, step, force);
     const auto wet = face.h_left > F(step.wet_mm) && face.h_right > F(step.wet_mm);
     return {lanes::select(wet, within.acceleration, dry.acceleration),
             lanes::select(wet, within.dragging_mm, dry.dragging_mm),
             lanes::select(wet, within.passing_mm, dry.passing_mm),
             lanes::select(wet, within.most_mm, dry.most_mm)};
+}
+
+/// The pull of surface tension towards where it is stronger (Marangoni), mm/s2: a stress tau at the
+/// surface moves a film at a mean of tau (h/2 + slip) / (rho nu), which is that of a force
+///     k_d (tau/rho) (h/2 + slip) / (h (h + 3 slip))    per mass.
+template <class F, class Paint>
+PASTOSO_LANE_FUNCTION F tension_pull(const FaceNeighbourhood<F>& face, const Paint& paint,
+                                     const StepConstants& step) {
+    const CellNumbers<F>&left = face.numbers_left, &right = face.numbers_right;
+    const F rise = (right.tension * right.density_kg_m3 - left.tension * left.density_kg_m3) /
+                   paint.numbers.density_kg_m3;
+    const F h = F(0.5F) * (face.h_left + face.h_right) + F(step.wet_mm), slip = paint.numbers.slip_mm;
+    const auto within = face.h_left > F(step.wet_mm) && face.h_right > F(step.wet_mm);
+    const F pull = paint.mean_drag(step) * F(step.inverse_cell) * rise * (F(0.5F) * h + slip) /
+                   (h * (h + F(3.0F) * slip));
+    return lanes::select(within, pull, F(0.0F));
 }
 
 /// The drive along the axis: what accelerates the paint through the face, mm/s2, but for its drag.
@@ -184,20 +202,20 @@ struct FaceDrive {
     F most_mm;           ///< of paint that a step may carry where the film ends
     F drag_coefficient;  ///< k_d, times the relative viscosity
     F viscosity;         ///< nu at the face, mm2/s
-    [[no_unique_address]] FacePaint<F, kModel.varied> paint;
+    [[no_unique_address]] FacePaint<F, kModel> paint;
 };
 
 /// k_d and nu of the film that drags.
 template <FaceModel kModel, class F>
 PASTOSO_LANE_FUNCTION void add_drag(const FaceNeighbourhood<F>& face, const StepConstants& step, F along,
                                     FaceDrive<kModel, F>& drive) {
-    drive.drag_coefficient = F(step.drag_along);
-    if constexpr (kModel.alpha_range) drive.drag_coefficient = alpha_drag(face, step);
+    drive.drag_coefficient = drive.paint.drag_along(step);
+    if constexpr (kModel.alpha_range) drive.drag_coefficient = alpha_drag(face, drive.paint, step);
     drive.viscosity = drive.paint.viscosity(step);
     if constexpr (kModel.shear_thinning) {
         const F speed = lanes::sqrt(F(along * along + face.v * face.v));
-        const F relative = relative_viscosity<kModel.yield>(speed, drive.drag_thickness,
-                                                            drive.paint.against_yield(step), step);
+        const F relative = relative_viscosity<kModel.yield>(
+            speed, drive.drag_thickness, drive.paint.against_yield(step), drive.paint.flow_index(step));
         drive.drag_coefficient = drive.drag_coefficient * relative;
         drive.viscosity = drive.viscosity * relative;
     }
@@ -213,13 +231,15 @@ PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>
     const auto inside = inside_film<kScheme>(face, step);
     const bool all_inside = lanes::all(inside);
     ContactFace<F> edge{};
+    const FacePaint<F, kModel> paint = face_paint<kModel>(face, step);
     F acceleration = drive_along<kModel>(face, step, F(force), start.pressure_gradient);
+    if constexpr (kModel.media) acceleration = acceleration + tension_pull(face, paint, step);
     if (!all_inside) {
-        edge = contact_face(face, step, F(force));
+        edge = contact_face(face, paint, step, F(force));
         acceleration = lanes::select(inside, acceleration, edge.acceleration);
     }
     FaceDrive<kModel, F> drive;
-    drive.paint = face_paint<kModel>(face, step);
+    drive.paint = paint;
     drive.driven = start.momentum + dt * acceleration;
     drive.thickness = upwind_thickness(face, drive.driven);
     if constexpr (kScheme == FaceScheme::Large) {
@@ -245,8 +265,8 @@ PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>
 template <FaceModel kModel, class F>
 PASTOSO_LANE_FUNCTION DragRate<F> drag_rate(const FaceDrive<kModel, F>& drive,
                                             const StepConstants& step) {
-    return drag_rate(drive.drag_coefficient, drive.drag_thickness, drive.paint.viscosity(step),
-                     drive.paint.fluidity(step), step);
+    return drag_rate(drive.drag_coefficient, drive.drag_thickness, drive.paint.slip_mm(step),
+                     drive.paint.viscosity(step), drive.paint.fluidity(step));
 }
 
 }  // namespace pastoso::film

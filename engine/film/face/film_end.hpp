@@ -149,9 +149,10 @@ inline constexpr float kStepsOver = 4.0F;
 
 /// Finds the contact line: where the parabola that holds the paint of the cell and of the film inside
 /// meets the support. Where the film fills the cell, the line is at its outer corner. `thickness(i, j)`
-/// as for outline_normal(), |i|, |j| <= 2.
+/// as for outline_normal(), |i|, |j| <= 2; `tan_advancing` is the paint's.
 template <class F, class Thickness>
-PASTOSO_LANE_FUNCTION FilmEnd<F> film_end(const Thickness& thickness, const StepConstants& step) {
+PASTOSO_LANE_FUNCTION FilmEnd<F> film_end(const Thickness& thickness, F tan_advancing,
+                                          const StepConstants& step) {
     const F zero(0.0F), half(0.5F), one(1.0F), least(0.01F), cell(step.cell_mm),
         per_cell(step.inverse_cell);
     const auto thinner = [&](int x, int y) {
@@ -175,7 +176,7 @@ PASTOSO_LANE_FUNCTION FilmEnd<F> film_end(const Thickness& thickness, const Step
     const F entering = surface.slope - surface.bend * (search.way(q) - half * search.inside.distance);
     const F mean = search.inside.near / search.way(q);
     const F far_a = lanes::max(F(q - a), zero), far_b = lanes::max(F(q - b), zero);
-    const F excess = lanes::max(F(contact_slope - F(step.tan_advancing) * cell), zero);
+    const F excess = lanes::max(F(contact_slope - tan_advancing * cell), zero);
     const F movable = F(kStepsOver) * excess * search.way(q);
     const auto leaving = [&](F far, F side) {
         return lanes::select(partly, lanes::min(movable, F(half * mean * far * far / side)),

@@ -16,11 +16,9 @@ namespace lanes = core::lanes;
 /// at the wall, from |u| = h gamma n/(n+1) e (1 - q e). Without a yield stress e = 1. With one, gamma
 /// comes from Newton steps in its logarithm; `against_yield` is K / tau_y.
 template <bool kYield, class F>
-PASTOSO_LANE_FUNCTION F relative_viscosity(F speed, F thickness, F against_yield,
-                                           const StepConstants& step) {
+PASTOSO_LANE_FUNCTION F relative_viscosity(F speed, F thickness, F against_yield, F flow_index) {
     const F one(1.0F), tiny(1e-30F);
-    const float index = step.flow_index;
-    const F n(index), q(index / (2.0F * index + 1.0F)), share((index + 1.0F) / index);
+    const F n = flow_index, q = n / (F(2.0F) * n + one), share = (n + one) / n;
     const F slowest = lanes::log2(F(kSlowestShear)), fastest = lanes::log2(F(kFastestShear));
     const F whole_film = lanes::log2(F(speed / (thickness + F(1e-12F)) * share + tiny));
     F sheared = one;

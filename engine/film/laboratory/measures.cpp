@@ -60,7 +60,7 @@ class Cells {
                 return static_cast<float>(h(neighbour(x + right, film_.shape.width, periodic_x_),
                                             neighbour(y + below, film_.shape.height, periodic_y_)));
             },
-            step);
+            step.tan_advancing, step);
     }
 
   private:

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace pastoso::film {
 namespace {
@@ -75,9 +77,11 @@ struct ReliefMaker {
 struct Pile {
     double thickness_mm = 0.0;
     std::array<double, kPaintChannels> paint{};
+    std::array<double, kMostMedia> media_mm{};
 
-    void add(double added_mm, const PaintCoefficients& coefficients) {
+    void add(double added_mm, int medium, const PaintCoefficients& coefficients) {
         thickness_mm += added_mm;
+        media_mm[medium] += added_mm;
         for (int k = 0; k < kPaintChannels; ++k)
             paint[k] += added_mm * static_cast<double>(coefficients[k]);
     }
@@ -91,12 +95,25 @@ std::int32_t in_quanta(double amount, double quantum) {
     return static_cast<std::int32_t>(std::llround(amount / quantum));
 }
 
+/// What of a pile is not of the scene's medium, the first.
+MediaCell foreign_media(const Pile& pile, std::int32_t thickness) {
+    MediaCell cell{};
+    std::int32_t left = thickness;
+    for (int k = 1; k < kMostMedia; ++k) {
+        cell[k] = std::min(in_quanta(pile.media_mm[k], kThicknessQuantum_mm), left);
+        left -= cell[k];
+    }
+    return cell;
+}
+
 void store(const Pile& pile, int x, int y, FilmState& film) {
     if (!(pile.thickness_mm >= 0.0 && pile.thickness_mm <= kMaxThickness_mm))
         refuse_cell("The thickness of the film is", pile.thickness_mm, x, y, kMaxThickness_mm);
     const std::int32_t thickness = in_quanta(pile.thickness_mm, kThicknessQuantum_mm);
     if (thickness == 0) return;
     film.thickness.set(x, y, thickness);
+    if (pile.media_mm[0] < pile.thickness_mm && film.media.are_several())
+        film.media.foreign.set(x, y, foreign_media(pile, thickness));
     if (!film.consistencies.are_several() && !pile.is_coloured()) return;
     PaintCell cell;
     for (int k = 0; k < kPaintChannels; ++k)
@@ -104,10 +121,24 @@ void store(const Pile& pile, int x, int y, FilmState& film) {
     film.paint.set(x, y, cell);
 }
 
+/// The media of a scene's paint by their numbers, its own first.
+std::vector<FilmNumbers> media_of(const Scene& scene) {
+    std::vector<FilmNumbers> media{film_numbers_of(scene.medium)};
+    for (const Primitive& primitive : scene.film) {
+        const FilmNumbers numbers = film_numbers_of(primitive.medium.value_or(scene.medium));
+        if (std::find(media.begin(), media.end(), numbers) == media.end()) media.push_back(numbers);
+    }
+    if (media.size() > kMostMedia)
+        throw core::InputError("The film is of " + std::to_string(media.size()) +
+                               " media, but may be of " + std::to_string(kMostMedia) + " at most.");
+    return media;
+}
+
 /// A primitive with what is worked out once for all rows.
 struct Layer {
-    Layer(const Primitive& wanted, const Scene& scene)
+    Layer(const Primitive& wanted, const Scene& scene, const std::vector<FilmNumbers>& media)
         : primitive(wanted),
+          medium(place_of(wanted.medium.value_or(scene.medium), media)),
           paint(paint_coefficients(wanted.pigment, wanted.medium.value_or(scene.medium))),
           reach(reach_of(wanted.form, scene.shape, scene.cell_mm)) {
         if (const auto* map = std::get_if<GreyMap>(&wanted.form))
@@ -121,7 +152,13 @@ struct Layer {
                         : mean_thickness_mm(primitive, x, y, cell_mm);
     }
 
+    static int place_of(const Medium& medium, const std::vector<FilmNumbers>& media) {
+        return static_cast<int>(std::find(media.begin(), media.end(), film_numbers_of(medium)) -
+                                media.begin());
+    }
+
     const Primitive& primitive;
+    int medium;
     PaintCoefficients paint;
     grid::Rect reach;
     SupportHeights image_mm;
@@ -132,7 +169,7 @@ void pile_up_row(const std::vector<Layer>& layers, int y, double cell_mm, std::v
     for (const Layer& layer : layers) {
         if (y < layer.reach.y0 || y >= layer.reach.y1) continue;
         for (int x = layer.reach.x0; x < layer.reach.x1; ++x)
-            row[x].add(layer.thickness_in(x, y, cell_mm), layer.paint);
+            row[x].add(layer.thickness_in(x, y, cell_mm), layer.medium, layer.paint);
     }
 }
 
@@ -166,9 +203,10 @@ FilmState make_film(const Scene& scene) {
     const auto has_own_medium = [](const Primitive& primitive) { return primitive.medium.has_value(); };
     if (std::any_of(scene.film.begin(), scene.film.end(), has_own_medium))
         film.consistencies = Consistencies::several();
+    film.media.numbers = media_of(scene);
     std::vector<Layer> layers;
     for (const Primitive& primitive : scene.film)
-        layers.emplace_back(primitive, scene);
+        layers.emplace_back(primitive, scene, film.media.numbers);
     std::vector<Pile> row(static_cast<std::size_t>(scene.shape.width));
     for (int y = 0; y < scene.shape.height; ++y) {
         pile_up_row(layers, y, scene.cell_mm, row);

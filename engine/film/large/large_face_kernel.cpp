@@ -136,6 +136,7 @@ struct LargeFaceRow {
         }
         Lanes followed(0.0F);
         if constexpr (kModel.horizontal_tension) followed = horizontal_tension(face, step);
+        if constexpr (kModel.media) followed = followed + tension_pull(face, drive.paint, step);
         followed = followed + force * followed_force(rate, yield_speed, step, axis);
         const Lanes momentum = settled(face, start.momentum, drive.thickness, inside, drag);
         store(&faces.driven[f], Lanes(momentum + dt * followed));
@@ -215,7 +216,9 @@ void weight_row(const TileScratch& scratch, const StepConstants& step, int first
     const auto edge_weight = [&](int i) {
         const Lanes sum = load(&scratch.ends.normal_x[i]) + load(&scratch.ends.normal_y[i]);
         const Lanes slope = load(&scratch.ends.contact_slope[i]);
-        const auto follows = (slope < Lanes(step.tan_advancing)) && (slope > Lanes(step.tan_receding));
+        const auto follows =
+            slope < cell_number(block.numbers.tan_advancing, step.tan_advancing, i, step) &&
+            slope > cell_number(block.numbers.tan_receding, step.tan_receding, i, step);
         return lanes::select(follows, Lanes(Lanes(2.0F) * load(normal_along + i) / (sum + Lanes(1e-9F))),
                              zero);
     };
@@ -237,6 +240,7 @@ void weight_row(const TileScratch& scratch, const StepConstants& step, int first
                                              lanes::select(wet_right, edge_weight(right), zero));
             result = lanes::select(wet_left && wet_right, inner, edge);
         }
+        if (step.media) result = relative_tension(block, step, left, right) * result;
         store(&weight[face_index(x, y)], result);
     });
 }

@@ -1,0 +1,159 @@
+#include "film/cell/wet_media.hpp"
+
+#include "core/check.hpp"
+#include "film/state.hpp"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <utility>
+
+namespace pastoso::film {
+namespace {
+
+using grid::kTileCells;
+using Media = std::bitset<kMostMedia>;
+
+/// A smaller part of a cell's paint is a trace: 2^-14.
+constexpr int kTraceBits = 14;
+
+bool holds_any(const MediaCell& cell) {
+    return std::any_of(cell.begin(), cell.end(), [](std::int32_t amount) { return amount != 0; });
+}
+
+Media foreign_media(const MediaCell* cells) {
+    Media media;
+    for (int cell = 0; cell < kTileCells; ++cell)
+        for (int k = 0; k < kMostMedia; ++k)
+            if (cells[cell][k] != 0) media.set(k);
+    return media;
+}
+
+Media used_media(const FilmState& state) {
+    Media used;
+    for (int tile = 0; tile < state.shape.tile_count(); ++tile) {
+        if (state.thickness.is_background(tile)) continue;
+        used.set(state.media.own[tile]);
+        if (state.media.is_mixed(tile)) used |= foreign_media(state.media.foreign.read(tile));
+    }
+    return used;
+}
+
+/// How far apart two media are: the squares of what their numbers differ by, of the larger one.
+double difference(const FilmNumbers& a, const FilmNumbers& b) {
+    double sum = 0.0;
+    for (const auto number :
+         {&FilmNumbers::density_kg_m3, &FilmNumbers::flow_index, &FilmNumbers::structure_share,
+          &FilmNumbers::recovery_s, &FilmNumbers::breakdown_strain, &FilmNumbers::surface_tension_N_m,
+          &FilmNumbers::advancing_angle_deg, &FilmNumbers::receding_angle_deg, &FilmNumbers::slip_cells,
+          &FilmNumbers::alpha_min, &FilmNumbers::alpha_max}) {
+        const double larger = std::max({std::abs(a.*number), std::abs(b.*number), 1e-12});
+        const double part = (a.*number - b.*number) / larger;
+        sum += part * part;
+    }
+    return sum;
+}
+
+/// Makes paint of the medium `gone` paint of `kept`.
+void join(WetMedia& media, int kept, int gone) {
+    for (int tile = 0; tile < media.foreign.tile_count(); ++tile) {
+        const bool was_own = media.own[tile] == gone;
+        if (was_own) media.own[tile] = static_cast<std::uint8_t>(kept);
+        if (!media.is_mixed(tile)) continue;
+        auto cells = grid::TileBlock<MediaCell>::copy_of(media.foreign.read(tile));
+        for (int cell = 0; cell < kTileCells; ++cell) {
+            MediaCell& amounts = cells.write()[cell];
+            amounts[kept] = media.own[tile] == kept ? 0 : amounts[kept] + amounts[gone];
+            amounts[gone] = 0;
+        }
+        media.replace(tile, std::move(cells));
+    }
+}
+
+/// Joins the two media that are most alike. Returns the place that is free then.
+int join_most_alike(WetMedia& media) {
+    int kept = 0, gone = 1;
+    double least = difference(media.numbers[0], media.numbers[1]);
+    for (int a = 0; a < kMostMedia; ++a)
+        for (int b = a + 1; b < kMostMedia; ++b)
+            if (const double apart = difference(media.numbers[a], media.numbers[b]); apart < least) {
+                least = apart;
+                kept = a;
+                gone = b;
+            }
+    join(media, kept, gone);
+    return gone;
+}
+
+int free_place(FilmState& state) {
+    WetMedia& media = state.media;
+    if (media.numbers.size() < kMostMedia) {
+        media.numbers.emplace_back();
+        return static_cast<int>(media.numbers.size()) - 1;
+    }
+    const Media used = used_media(state);
+    for (int k = 0; k < kMostMedia; ++k)
+        if (!used[k]) return k;
+    return join_most_alike(media);
+}
+
+}  // namespace
+
+void WetMedia::become_one(const FilmNumbers& medium) {
+    numbers = {medium};
+    std::fill(own.begin(), own.end(), std::uint8_t{0});
+    for (int tile = 0; tile < foreign.tile_count(); ++tile)
+        foreign.reset(tile);
+}
+
+void WetMedia::replace(int tile, grid::TileBlock<MediaCell> cells) {
+    if (std::any_of(cells.read(), cells.read() + kTileCells, holds_any))
+        foreign.replace(tile, std::move(cells));
+    else
+        foreign.reset(tile);
+}
+
+int add_medium(FilmState& state, const FilmNumbers& medium) {
+    std::vector<FilmNumbers>& numbers = state.media.numbers;
+    const auto found = std::find(numbers.begin(), numbers.end(), medium);
+    if (found != numbers.end()) return static_cast<int>(found - numbers.begin());
+    const int place = free_place(state);
+    numbers[place] = medium;
+    return place;
+}
+
+double mixed_number(const FilmState& state, int tile, int cell, double FilmNumbers::*number) {
+    const WetMedia& media = state.media;
+    const std::int32_t thickness = state.thickness.read(tile)[cell];
+    double rest = thickness, sum = 0.0;
+    for (std::size_t k = 0; k < media.numbers.size(); ++k) {
+        const std::int32_t amount = media.foreign.read(tile)[cell][k];
+        rest -= amount;
+        sum += amount * (media.numbers[k].*number);
+    }
+    const double own = media.numbers[media.own[tile]].*number;
+    return thickness > 0 ? (sum + std::max(rest, 0.0) * own) / thickness : own;
+}
+
+void settle_media(FilmState& state, int tile) {
+    WetMedia& media = state.media;
+    if (!media.is_mixed(tile)) return;
+    const std::int32_t* thickness = state.thickness.read(tile);
+    auto cells = grid::TileBlock<MediaCell>::copy_of(media.foreign.read(tile));
+    std::array<bool, kMostMedia> is_all{};
+    is_all.fill(true);
+    for (int cell = 0; cell < kTileCells; ++cell) {
+        const std::int32_t trace = thickness[cell] >> kTraceBits;
+        for (int k = 0; k < kMostMedia; ++k) {
+            std::int32_t& amount = cells.write()[cell][k];
+            if (amount <= trace) amount = 0;
+            is_all[k] = is_all[k] && amount >= thickness[cell] - trace;
+        }
+    }
+    const auto all = std::find(is_all.begin(), is_all.end(), true);
+    if (all == is_all.end()) return media.replace(tile, std::move(cells));
+    media.own[tile] = static_cast<std::uint8_t>(all - is_all.begin());
+    media.foreign.reset(tile);
+}
+
+}  // namespace pastoso::film
