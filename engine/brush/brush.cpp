@@ -72,6 +72,16 @@ Contents paint_of(const MixedLoad& paint, double second_share, double volume_mm3
     return result;
 }
 
+void add(const film::FilmNumbers& medium, double volume_mm3, HeldMedia& media) {
+    const auto found = std::find(media.numbers.begin(), media.numbers.end(), medium);
+    const auto place = static_cast<std::size_t>(found - media.numbers.begin());
+    if (found == media.numbers.end()) {
+        media.numbers.push_back(medium);
+        media.volume_mm3.push_back(0.0);
+    }
+    media.volume_mm3[place] += volume_mm3;
+}
+
 }  // namespace
 
 Brush::Brush(const Preset& kind, double width_mm, std::uint32_t seed)
@@ -91,7 +101,10 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
     Contents taken;
     if (preset.exchange.absorbs) return taken;
     gather_hairs();
-    if (!holds_paint()) consistencies = {};
+    if (!holds_paint()) {
+        consistencies = {};
+        media = {};
+    }
     consistencies.add(film::consistency_of(paint.first));
     if (takes_second(paint)) consistencies.add(film::consistency_of(paint.second));
     const float deepest_mm = paint.tip_only ? dipped_to_mm(tip) : std::numeric_limits<float>::max();
@@ -106,6 +119,7 @@ Contents Brush::load(const MixedLoad& paint, double fill) {
         held[i] += dip;
         taken += dip;
     }
+    if (paint.medium) add(*paint.medium, taken.volume_mm3, media);
     return taken;
 }
 
@@ -119,6 +133,8 @@ Contents Brush::clean(double share) {
     if (share > 0.0 && share < 1.0) gather_hairs();
     for (Contents& bristle : held)
         bristle = share < 1.0 ? scaled(bristle, 1.0 - share) : Contents{};
+    for (double& volume_mm3 : media.volume_mm3)
+        volume_mm3 *= 1.0 - share;
     Contents taken = before;
     taken -= contents();
     return taken;

@@ -5,11 +5,20 @@
 #include "brush/preset.hpp"
 #include "brush/tip.hpp"
 #include "film/cell/consistency.hpp"
+#include "film/cell/film_numbers.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pastoso::brush {
+
+/// How much of the paint in all hairs of a brush is of which medium.
+struct HeldMedia {
+    std::vector<film::FilmNumbers> numbers;
+    std::vector<double> volume_mm3;  ///< of each
+    friend bool operator==(const HeldMedia&, const HeldMedia&) = default;
+};
 
 /// What a brush is dipped into: one paint, or two at once.
 struct MixedLoad {
@@ -20,6 +29,8 @@ struct MixedLoad {
     /// Dips only the two fifths of the hairs that reach deepest when the brush is laid on one side; the
     /// others keep what they hold.
     bool tip_only = false;
+    /// Of both paints; none: that of the film that the brush comes to.
+    std::optional<film::FilmNumbers> medium{};
 };
 
 /// Plain data: copy it to keep it. The paint in the bristles, what strokes and loading move, is the
@@ -66,6 +77,7 @@ struct Brush {
     Tip tip;
     std::vector<Contents> held;         ///< one per bristle
     film::Consistencies consistencies;  ///< of what they hold; a brush that holds nothing may name some
+    HeldMedia media;                    ///< of paint that was loaded without one it tells nothing
     Contents thrown_away;               ///< by a tool that absorbs; not part of contents()
     std::uint32_t strokes_begun = 0;    ///< seeds what differs from stroke to stroke
 };

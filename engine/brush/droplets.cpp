@@ -25,7 +25,8 @@ double cap_radius_mm(double volume_mm3, double steepness) {
     return std::cbrt(2.0 * volume_mm3 / (core::kPi * steepness));
 }
 
-void Droplets::begin(const HandPose& hand, std::uint32_t seed) {
+void Droplets::begin(const HandPose& hand, std::uint32_t seed, MediaExchange* media) {
+    media_ = media;
     seed_ = seed;
     drawn_ = 0;
     owed_mm3_ = 0.0;
@@ -80,10 +81,11 @@ void Droplets::land(double x_mm, double y_mm, double streak_mm, const HandPose& 
         const double cap_mm = radius_mm * std::cbrt(volume_mm3 / next_mm3_);
         const grid::Rect cells = put_down(bottle, volume_mm3, x_mm + along_mm * hand.travel_x,
                                           y_mm + along_mm * hand.travel_y, cap_mm,
-                                          core::scramble(seed_ + drawn_), film_, cells_);
+                                          core::scramble(seed_ + drawn_), film_, cells_, media_);
         changed_ = grid::bounding_box(changed_, cells);
         left_mm3 -= volume_mm3;
     }
+    if (media_ != nullptr) settle_exchange(*media_, film_, brush_);
 }
 
 double Droplets::next_volume_mm3() {

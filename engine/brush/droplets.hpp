@@ -4,6 +4,7 @@
 #include "brush/brush.hpp"
 #include "brush/cell_batch.hpp"
 #include "brush/hand_pose.hpp"
+#include "brush/media_exchange.hpp"
 #include "film/state.hpp"
 
 #include <cstdint>
@@ -28,8 +29,9 @@ class Droplets {
     Droplets(Brush& brush, film::FilmState& film, const grid::Mask* limit = nullptr)
         : brush_(brush), film_(film), cells_(limit) {}
 
-    /// The pen comes down: what the preset lets go at once falls here, as one drop.
-    void begin(const HandPose& hand, std::uint32_t seed);
+    /// The pen comes down: what the preset lets go at once falls here, as one drop. `media` as of
+    /// apply(), until the pen lifts.
+    void begin(const HandPose& hand, std::uint32_t seed, MediaExchange* media = nullptr);
 
     /// The pen moves on. `speed_mm_s` is its speed along the travel.
     void follow(const HandPose& hand, double speed_mm_s);
@@ -55,6 +57,7 @@ class Droplets {
 
     Brush& brush_;
     film::FilmState& film_;
+    MediaExchange* media_ = nullptr;
     CellBatch cells_;
     std::vector<Place> way_;  ///< since the last drops fell; the newest place last, never empty
     double owed_mm3_ = 0.0;   ///< let go, but not enough for the next drop

@@ -110,6 +110,8 @@ double pushed_share(double momentum, double speed_mm_s) {
 grid::Rect Plough::push(const PloughStep& step) {
     pushed_ = pushed_share(step.brush.preset.exchange.momentum, step.hand.speed_mm_s);
     changed_ = {};
+    pile_ = {};
+    pile_media_ = {};
     const bool touches = step.swath.low_mm <= step.swath.high_mm;
     if (pushed_ <= 0.0 || !touches) return {};
     divide(step);
@@ -127,6 +129,9 @@ grid::Rect Plough::push(const PloughStep& step) {
     const bool high_first = step.brush.tip.mirrored;
     heap_beside(step, high_first ? 1.0 : -1.0, high_first ? high : low);
     heap_beside(step, high_first ? -1.0 : 1.0, high_first ? low : high);
+    if (step.media != nullptr)
+        for (std::size_t k = 0; k < pile_.gained.size(); ++k)
+            step.media->gained[k] += pile_.gained[k];
     return changed_;
 }
 
@@ -187,9 +192,17 @@ Contents Plough::clear(const PloughStep& step, const Lane& lane) {
     Contents moved;
     if (step.scratch.count() == 0) return moved;
     const WantedSums wanted = plan_exchange(rule, step.scratch);
-    changed_ = grid::bounding_box(
-        changed_, apply_batch(step.scratch, wanted, {}, step.dither_seed, step.film, moved));
+    const MediaExchange before = pile_;
+    changed_ = grid::bounding_box(changed_, apply_batch(step.scratch, wanted, {}, step.dither_seed,
+                                                        step.film, moved, pile_of(step)));
+    pile_up_media(before);
     return moved;
+}
+
+void Plough::pile_up_media(const MediaExchange& before) {
+    for (std::size_t k = 0; k < pile_media_.size(); ++k)
+        pile_media_[k] += static_cast<double>(before.gained[k] - pile_.gained[k]);
+    pile_.give_shares_of(pile_media_);
 }
 
 void Plough::heap_ahead(const PloughStep& step, const Lane& lane, Contents moved) {
@@ -216,7 +229,7 @@ void Plough::heap(const PloughStep& step, int leader, const HeapPlace& place, Co
     if (thickness_at(step.film, place.x_mm, place.y_mm) > 0.0)
         changed_ = grid::bounding_box(
             changed_, put_down(moved, moved.volume_mm3, place.x_mm, place.y_mm, place.spread_mm,
-                               step.dither_seed, step.film, step.scratch));
+                               step.dither_seed, step.film, step.scratch, pile_of(step)));
     Brush& brush = step.brush;
     (brush.preset.exchange.absorbs ? brush.thrown_away : brush.held[leader]) += moved;
 }

@@ -32,6 +32,7 @@ struct PloughStep {
     std::uint32_t dither_seed;
     film::FilmState& film;
     CellBatch& scratch;
+    MediaExchange* media;  ///< as of apply()
 };
 
 /// The swath is divided into lanes b wide, each led by its foremost element. In a step ds a lane loses,
@@ -62,6 +63,9 @@ class Plough {
     /// does not plough what it lays down itself.
     void align_fronts();
     Contents clear(const PloughStep& step, const Lane& lane);
+    /// What a change of the film is told the media of.
+    MediaExchange* pile_of(const PloughStep& step) { return step.media != nullptr ? &pile_ : nullptr; }
+    void pile_up_media(const MediaExchange& before);
     void heap_ahead(const PloughStep& step, const Lane& lane, Contents moved);
     void heap_beside(const PloughStep& step, double sign, Contents moved);
     void heap(const PloughStep& step, int leader, const HeapPlace& place, Contents& moved);
@@ -70,6 +74,8 @@ class Plough {
     std::vector<double> fronts_mm_;
     double lane_width_mm_ = 1.0;
     double pushed_ = 0.0;
+    MediaExchange pile_;                                 ///< gives what was cleared in this step, ...
+    std::array<double, film::kMostMedia> pile_media_{};  ///< quanta of each medium
     grid::Rect changed_;
 };
 

@@ -76,14 +76,16 @@ double thickness_at(const film::FilmState& film, double x_mm, double y_mm) {
 }
 
 grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm, double spread_mm,
-                    std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch) {
+                    std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch,
+                    MediaExchange* media) {
     const double radius_mm =
         resolved_radius_mm({kHeapMeanSquare, kHeapMeanSquare, kSoftCellSquare}, spread_mm, film.cell_mm);
     scratch.gather(film, x_mm, y_mm, radius_mm);
     const double quanta = volume_mm3 / (film.cell_mm * film.cell_mm * film::kThicknessQuantum_mm);
     const WantedSums wanted = plan_heap(quanta, radius_mm, scratch);
     if (wanted.deposit == 0) return {};
-    return apply_batch(scratch, wanted, {.deposit_share = kLargestShare}, dither_seed, film, held);
+    return apply_batch(scratch, wanted, {.deposit_share = kLargestShare}, dither_seed, film, held,
+                       media);
 }
 
 HeapPlace place_beside(const film::FilmState& film, double x_mm, double y_mm, double away_x,
@@ -97,7 +99,7 @@ HeapPlace place_beside(const film::FilmState& film, double x_mm, double y_mm, do
 
 grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, const HandPose& hand,
                           const Swath& swath, const SpillRates& rates, std::uint32_t dither_seed,
-                          film::FilmState& film, CellBatch& scratch) {
+                          film::FilmState& film, CellBatch& scratch, MediaExchange* media) {
     Contents& held = brush.held[bristle];
     const double surplus_mm3 = held.volume_mm3 - brush.preset.exchange.overflow * brush.tip.capacity_mm3;
     if (surplus_mm3 <= 0.0) return {};
@@ -113,7 +115,7 @@ grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, co
                                         to_end_mm + rates.radius_mm, 0.5 * rates.radius_mm);
     const double part = 1.0 - std::exp(-rates.step_mm / (0.5 * rates.radius_mm));
     return put_down(held, part * surplus_mm3, heap.x_mm, heap.y_mm, heap.spread_mm, dither_seed, film,
-                    scratch);
+                    scratch, media);
 }
 
 }  // namespace pastoso::brush

@@ -6,15 +6,17 @@
 #include "brush/brush.hpp"
 #include "brush/cell_batch.hpp"
 #include "brush/hand_pose.hpp"
+#include "brush/media_exchange.hpp"
 #include "film/state.hpp"
 
 namespace pastoso::brush {
 
 /// Puts `volume_mm3` of the held paint (19/20 of it at most) onto the film as a heap 1 - (d / spread)^2
 /// around a place, widened by what a cell adds to it (brush/cell_mean.hpp). What falls beyond the canvas
-/// stays in the tool. Returns the cells that may have changed.
+/// stays in the tool. Returns the cells that may have changed. `media` as of apply().
 grid::Rect put_down(Contents& held, double volume_mm3, double x_mm, double y_mm, double spread_mm,
-                    std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch);
+                    std::uint32_t dither_seed, film::FilmState& film, CellBatch& scratch,
+                    MediaExchange* media = nullptr);
 
 /// Wet paint at a place, or at the nearest one on the canvas.
 double thickness_at(const film::FilmState& film, double x_mm, double y_mm);
@@ -43,6 +45,6 @@ struct SpillRates {
 /// held aslant, where it stays as a ridge. Returns the cells that may have changed.
 grid::Rect spill_overflow(Brush& brush, int bristle, const BristlePose& pose, const HandPose& hand,
                           const Swath& swath, const SpillRates& rates, std::uint32_t dither_seed,
-                          film::FilmState& film, CellBatch& scratch);
+                          film::FilmState& film, CellBatch& scratch, MediaExchange* media);
 
 }  // namespace pastoso::brush

@@ -99,9 +99,10 @@ grid::Rect cells_below(const std::vector<StripPlace>& places, double radius_mm, 
 }
 
 /// Paint may come from the brush onto the film, and from there into the brush.
-void meet(Brush& brush, film::FilmState& film) {
+std::optional<MediaExchange> meet(Brush& brush, film::FilmState& film) {
     if (brush.holds_paint()) film.consistencies.add(brush.consistencies);
     brush.consistencies = film.consistencies;
+    return meet_media(brush, film);
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
 
 void Stroke::begin(const PenSample& sample) {
     check_finite(sample);
-    meet(brush_, film_);
+    media_ = meet(brush_, film_);
     const bool anew = brush_.preset.stroke.jitter_seed == JitterSeed::Stroke;
     jitter_seed_ = core::scramble(brush_.tip.seed + (anew ? brush_.strokes_begun : 0));
     ++brush_.strokes_begun;
@@ -139,7 +140,8 @@ void Stroke::begin(const PenSample& sample) {
     const PenSample start = led(filter_.start(sample));
     const double rotation = core::radians(start.rotation_deg);
     path_.begin(start, -std::sin(rotation), std::cos(rotation));
-    if (brush_.preset.kind == ToolKind::Droplets) droplets_.begin(pose({.pen = start}), jitter_seed_);
+    if (brush_.preset.kind == ToolKind::Droplets)
+        droplets_.begin(pose({.pen = start}), jitter_seed_, media());
     paint_steps();
 }
 
@@ -154,7 +156,9 @@ void Stroke::end() {
     path_.end();
     paint_steps();
     leave_paint();
+    if (media_) settle_exchange(*media_, film_, brush_);
     meet(brush_, film_);
+    weigh_media(film_, brush_);
     blowing_.reset();
 }
 
@@ -207,6 +211,7 @@ bool Stroke::may_change(double x_mm, double y_mm) const {
 }
 
 void Stroke::paint_steps() {
+    if (film_.media.numbers != brush_.media.numbers) media_ = meet_media(brush_, film_);
     for (const PathStep& step : path_.take_steps())
         take_step(step);
 }
@@ -243,9 +248,10 @@ void Stroke::paint_step(const PathStep& step) {
     touch_all({hand, swath, rates, drag});
     for (const StripPlace& place : touching_) {
         note_changed(spill_overflow(brush_, place.element, poses_[place.element], hand, swath,
-                                    {brush_.tip.radius_mm, turn_mm, jitter_seed_}, dither_seed(place.element),
-                                    film_, cells_));
+                                    {brush_.tip.radius_mm, turn_mm, jitter_seed_},
+                                    dither_seed(place.element), film_, cells_, media()));
     }
+    if (media_) settle_exchange(*media_, film_, brush_);
     since_wick_mm_ += step_mm_;
     if (since_wick_mm_ < kWickInterval_mm) return;
     wick_paint(brush_, since_wick_mm_);
@@ -254,8 +260,8 @@ void Stroke::paint_step(const PathStep& step) {
 
 void Stroke::plough(const HandPose& hand, const Swath& swath) {
     const StepRates rates = step_rates(brush_, resolved_, hand, kPloughTurns * step_mm_);
-    note_changed(
-        plough_.push({brush_, poses_, hand, swath, rates, dither_seed(kPloughSeed), film_, cells_}));
+    note_changed(plough_.push(
+        {brush_, poses_, hand, swath, rates, dither_seed(kPloughSeed), film_, cells_, media()}));
 }
 
 void Stroke::touch_all(const Touch& touch) {
@@ -263,6 +269,7 @@ void Stroke::touch_all(const Touch& touch) {
     while (static_cast<int>(tools_.size()) < strips_.count())
         tools_.emplace_back(limit_);
     const auto act = [&](int bristle, int strip) { return touch_one(bristle, touch, tools_[strip]); };
+    if (media_) share_media();
     if (strips_.count() > 1) pass_.prepare(cells_below(touching_, resolved_.radius_mm, film_.cell_mm));
     while (!strips_.run(pool_, act)) {
         for (const int strip : strips_.hindered())
@@ -270,6 +277,22 @@ void Stroke::touch_all(const Touch& touch) {
     }
     for (StripTools& tools : tools_)
         note_changed(std::exchange(tools.changed, {}));
+    if (media_) collect_media();
+}
+
+void Stroke::share_media() {
+    const double reach_mm = std::max(resolved_.reach_mm, resolved_.radius_mm) + film_.cell_mm;
+    prepare_media(*media_, cells_below(touching_, reach_mm, film_.cell_mm), film_);
+    for (StripTools& tools : tools_) {
+        tools.media = *media_;
+        tools.media.gained = {};
+    }
+}
+
+void Stroke::collect_media() {
+    for (const StripTools& tools : tools_)
+        for (std::size_t k = 0; k < media_->gained.size(); ++k)
+            media_->gained[k] += tools.media.gained[k];
 }
 
 bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
@@ -281,7 +304,8 @@ bool Stroke::touch_one(int bristle, const Touch& touch, StripTools& tools) {
     const ApplyRule applied =
         apply_rule(touch_limits(brush_, below), wanted, dither_seed(bristle), film_, held, tools.cells);
     if (strips_.count() > 1 && !owns_planned_tiles(tools.cells, film_)) return false;
-    tools.changed = grid::bounding_box(tools.changed, apply(applied, tools.cells, film_, held));
+    tools.changed = grid::bounding_box(
+        tools.changed, apply(applied, tools.cells, film_, held, media_ ? &tools.media : nullptr));
     if (brush_.preset.exchange.absorbs) brush_.thrown_away += std::exchange(held, Contents{});
     if (tools.drag.find(rule, touch.drag, tools.cells, film_)) {
         const std::lock_guard lock(velocities_);
@@ -298,7 +322,7 @@ void Stroke::leave_paint() {
         if (share <= 0.0) continue;
         Contents& held = brush_.held[i];
         note_changed(put_down(held, share * held.volume_mm3, poses_[i].x_mm, poses_[i].y_mm, radius_mm,
-                              dither_seed(i), film_, cells_));
+                              dither_seed(i), film_, cells_, media()));
     }
     poses_.assign(poses_.size(), BristlePose{});
 }

@@ -82,6 +82,7 @@ class Stroke {
         explicit StripTools(const grid::Mask* limit) : cells(limit) {}
         CellBatch cells;
         PaintDrag drag;
+        MediaExchange media;
         grid::Rect changed;
     };
 
@@ -103,6 +104,10 @@ class Stroke {
     double torn_share(int bristle) const;
     /// False: other threads may be at work on tiles that the film shares with other states.
     bool touch_one(int bristle, const Touch& touch, StripTools& tools);
+    /// What a change of the film is told the media of; null where that is of one.
+    MediaExchange* media() { return media_ ? &*media_ : nullptr; }
+    void share_media();
+    void collect_media();
     void leave_paint();
     void note_changed(const grid::Rect& cells);
     std::uint32_t dither_seed(int bristle) const;
@@ -129,6 +134,7 @@ class Stroke {
     Strips strips_;
     std::deque<StripTools> tools_;  ///< of every strip
     std::mutex velocities_;         ///< of the film
+    std::optional<MediaExchange> media_;  ///< on a film of several
     Droplets droplets_;
     std::optional<HandPose> blowing_;  ///< how a tool of air is held, before it is placed
     double time_s_ = 0.0;              ///< that the stroke has lasted

@@ -243,7 +243,8 @@ void own_planned_tiles(const CellBatch& batch, film::FilmState& film) {
     }
 }
 
-grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState& film, Contents& held) {
+grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState& film, Contents& held,
+                 MediaExchange* media) {
     alignas(64) ChangeSums gained;  // across cache lines, clearing it takes a sixth of this function
     const auto& kernels = core::kernels<TransferKernels>();
     for (const CellBatch::TilePart& part : batch.parts()) {
@@ -258,15 +259,18 @@ grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState&
                 gained);
         else
             kernels.apply(rule, cells, gained);
+        if (media != nullptr) exchange_media(rule, cells, part.tile, film, *media);
     }
     core::kernels<ContentsKernels>().take(gained, film.cell_mm * film.cell_mm, held);
     return gained.any ? batch.cells() : grid::Rect{};
 }
 
 grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, const Limits& limits,
-                       std::uint32_t dither_seed, film::FilmState& film, Contents& held) {
+                       std::uint32_t dither_seed, film::FilmState& film, Contents& held,
+                       MediaExchange* media) {
     const ApplyRule rule = apply_rule(limits, wanted, dither_seed, film, held, batch);
-    return apply(rule, batch, film, held);
+    if (media != nullptr) prepare_media(*media, batch.cells(), film);
+    return apply(rule, batch, film, held, media);
 }
 
 }  // namespace pastoso::brush

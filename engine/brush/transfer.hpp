@@ -58,6 +58,7 @@
 #include "brush/bristle_motion.hpp"
 #include "brush/brush.hpp"
 #include "brush/cell_batch.hpp"
+#include "brush/media_exchange.hpp"
 #include "brush/resolved_tip.hpp"
 #include "brush/transfer_kernels.hpp"
 #include "film/state.hpp"
@@ -114,11 +115,14 @@ bool owns_planned_tiles(const CellBatch& batch, const film::FilmState& film);
 void own_planned_tiles(const CellBatch& batch, film::FilmState& film);
 
 /// Applies the batch, and takes what the film gained from `held`, or gives it what the film lost.
-/// Returns the cells that may have changed; the batch goes on holding the cells as they were.
-grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState& film, Contents& held);
+/// Returns the cells that may have changed; the batch goes on holding the cells as they were. `media`
+/// are those of a film of several, whose tiles are prepared for them; else null.
+grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState& film, Contents& held,
+                 MediaExchange* media = nullptr);
 
 /// All of that, for one thread alone.
 grid::Rect apply_batch(CellBatch& batch, WantedSums wanted, const Limits& limits,
-                       std::uint32_t dither_seed, film::FilmState& film, Contents& held);
+                       std::uint32_t dither_seed, film::FilmState& film, Contents& held,
+                       MediaExchange* media = nullptr);
 
 }  // namespace pastoso::brush

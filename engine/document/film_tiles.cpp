@@ -43,6 +43,7 @@ void for_each_field(const Visit& visit, Films&&... films) {
     visit(NoAmount{}, films.lower.thickness...);
     visit(LowerThickness{}, films.lower.paint...);
     visit(WetThickness{}, films.worked.thickness...);
+    visit(WetThickness{}, films.media.foreign...);
     visit(NoAmount{}, films.velocity_x...);
     visit(NoAmount{}, films.velocity_y...);
     visit(NoAmount{}, films.support_mm...);
@@ -89,13 +90,16 @@ void put(const TileSet<Block>& set, Field& field) {
 }
 
 FilmSums sums_of(const FilmState& film) {
-    return {film.strata.fixed, film.strata.evaporated, film.consistencies};
+    return {film.strata.fixed, film.strata.evaporated, film.consistencies, film.media.numbers,
+            film.media.own};
 }
 
 void put(const FilmSums& sums, FilmState& film) {
     film.strata.fixed = sums.fixed;
     film.strata.evaporated = sums.evaporated;
     film.consistencies = sums.consistencies;
+    film.media.numbers = sums.media;
+    film.media.own = sums.own_media;
 }
 
 /// What a tile is packed with: large memory that is asked for again and again costs more than packing.

@@ -23,6 +23,8 @@ struct FilmSums {
     film::DriedTotals fixed{};
     std::int64_t evaporated = 0;
     film::Consistencies consistencies;
+    std::vector<film::FilmNumbers> media{};
+    std::vector<std::uint8_t> own_media{};  ///< of each tile
 };
 
 /// Named like the fields of a film.
@@ -45,6 +47,9 @@ struct FilmTiles {
     struct {
         TileSet<grid::TileBlock<std::int32_t>> thickness;
     } worked;
+    struct {
+        TileSet<grid::TileBlock<film::MediaCell>> foreign;
+    } media;
     TileSet<grid::TileBlock<float>> velocity_x, velocity_y;
     TileSet<film::HeightBlock> support_mm;
     struct {

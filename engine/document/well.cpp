@@ -56,7 +56,7 @@ film::FilmState bare_well() {
     return film::FilmState(shape, 1.0 / kWellPxPerMm);
 }
 
-brush::Contents squeeze_onto(film::FilmState& well, film::Solver& solver,
+brush::Contents squeeze_onto(film::FilmState& well, film::Solver& solver, const film::Medium& medium,
                              const film::PaintCoefficients& paint, double volume_mm3, double x_mm,
                              double y_mm) {
     const double size_mm = size_mm_of(volume_mm3);
@@ -66,13 +66,17 @@ brush::Contents squeeze_onto(film::FilmState& well, film::Solver& solver,
     const brush::Contents before = amount_of(paint, 2.0 * volume_mm3);
     brush::Contents tube = before;
     well.consistencies.add(film::consistency_of(paint));
+    brush::MediaExchange media;
+    media.given[film::add_medium(well, film::film_numbers_of(medium))] = 1.0F;
+    const bool several = well.media.are_several();
     brush::CellBatch scratch;
     for (int i = 0; i < kBeads; ++i) {
         const double along = (i + 0.5) / kBeads;
         const Bead bead = bead_at(along);
-        const grid::Rect cells = brush::put_down(
-            tube, volume_mm3 / kBeads, x_mm + bead.x * size_mm, y_mm + bead.y * size_mm,
-            bead.radius * size_mm, core::scramble(static_cast<std::uint32_t>(i)), well, scratch);
+        const grid::Rect cells =
+            brush::put_down(tube, volume_mm3 / kBeads, x_mm + bead.x * size_mm, y_mm + bead.y * size_mm,
+                            bead.radius * size_mm, core::scramble(static_cast<std::uint32_t>(i)), well,
+                            scratch, several ? &media : nullptr);
         solver.wake(cells);
     }
     brush::Contents squeezed = before;

@@ -20,9 +20,9 @@ inline constexpr film::SolverOptions kWellSolving = {.edge_x = film::Edge::Wall,
 /// Smooth as glass and empty: holds no tiles.
 film::FilmState bare_well();
 
-/// Puts a dollop of paint of these coefficients onto the well, all of it within the rim. Returns what
-/// has come out: less than `volume_mm3` where the place is full.
-brush::Contents squeeze_onto(film::FilmState& well, film::Solver& solver,
+/// Puts a dollop of paint in a medium onto the well, all of it within the rim. Returns what has come
+/// out: less than `volume_mm3` where the place is full.
+brush::Contents squeeze_onto(film::FilmState& well, film::Solver& solver, const film::Medium& medium,
                              const film::PaintCoefficients& paint, double volume_mm3, double x_mm,
                              double y_mm);
 

@@ -9,9 +9,9 @@
 
 namespace pastoso::film {
 
-/// Properties of a paint, and what paint brings with it wherever it goes (paint_cell.hpp): viscosity,
-/// yield stress, solids and drying time. The others are the film's as a whole. The ranges are where the
-/// model was tried; outside them it stays stable but need not look like paint.
+/// Properties of a paint, which it brings with it wherever it goes: viscosity, yield stress, solids and
+/// drying time in the channels of a cell (paint_cell.hpp), the others by its medium (wet_media.hpp). The
+/// ranges are where the model was tried; outside them it stays stable but need not look like paint.
 struct Medium {
     std::string name;
     std::string description;        ///< one sentence for the painter

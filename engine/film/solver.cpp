@@ -78,14 +78,14 @@ struct Solver::Parts {
         follow_state();
     }
 
-    /// A state that has become another one may come from the time of another medium. Paint of several
-    /// media keeps its own numbers, all other has the medium's.
+    /// A state that has become another one may come from the time of another medium, whose numbers wet
+    /// paint keeps.
     void follow_state() {
         const FilmNumbers own = film_numbers_of(medium);
-        if (state.media.are_several())
-            add_medium(state, own);
-        else
+        if (state.media.numbers.empty() || !has_wet_paint(state))
             state.media.become_one(own);
+        else
+            add_medium(state, own);
         set_numbers(own);
         state.worked.follow(
             std::any_of(state.media.numbers.begin(), state.media.numbers.end(),
@@ -337,9 +337,9 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& canc
     while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
         if (cancelled()) return false;
         follow_media();
-        const StepPlan next =
-            plan_step({state, activity, limits, air, density_kg_m3, is_mixed(), is_varied(), pool},
-                      options, remaining);
+        const StepPlan next = plan_step({state, activity, limits, air, density_kg_m3, is_mixed(),
+                                         is_varied(), constants.media, pool},
+                                        options, remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
         const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));
         const double dt_s = remaining / steps_left;

@@ -85,8 +85,8 @@ class Solver {
     Solver(FilmState& state, const Medium& medium, const SolverOptions& options, core::ThreadPool& pool);
     ~Solver();
 
-    /// Wakes all paint. Paint of another consistency than the medium's keeps its own: where the state
-    /// names one, what each cell carries is looked at.
+    /// Wakes all paint. What is wet keeps the numbers of its own medium (cell/wet_media.hpp). Paint of
+    /// another consistency keeps that: where the state names one, what each cell carries is looked at.
     void set_medium(const Medium& medium);
     const Consistency& consistency() const;    ///< of the medium
     void set_gravity(const Gravity& gravity);  ///< wakes all paint when it changes

@@ -67,15 +67,18 @@ void add_worked(const WorkedPaint& worked, core::Hash64& hash) {
     }
 }
 
-/// Paint of one medium adds nothing, whichever it is.
+/// How much of each there is in a cell, however the tile tells it. Paint of one medium adds nothing.
 void add_media(const FilmState& state, core::Hash64& hash) {
     const WetMedia& media = state.media;
     if (!media.are_several()) return;
     hash.add(std::span<const FilmNumbers>(media.numbers));
     for (int tile = 0; tile < state.shape.tile_count(); ++tile) {
         if (state.thickness.is_background(tile)) continue;
-        hash.add_value(media.own[tile]);
-        if (media.is_mixed(tile)) add_tile(media.foreign, tile, hash);
+        const grid::Rect cells = state.shape.tile_cells(tile);
+        for (int y = cells.y0; y < cells.y1; ++y)
+            for (int x = cells.x0; x < cells.x1; ++x)
+                if (state.thickness.at(x, y) > 0)
+                    hash.add_value(media_in(state, tile, grid::Shape::cell_in_tile(x, y)));
     }
 }
 

@@ -18,6 +18,8 @@ constexpr double kStepSafety = 0.7;
 /// How far the body force alone may carry paint in a large step, in cells, and how far the air: beyond
 /// one cell paint would leave its pigment behind.
 constexpr double kCourant = 0.2, kBlownCourant = 1.0;
+/// And how far, by the speeds of the step before, where tension may pull.
+constexpr double kPulledCourant = 0.5;
 
 /// How far paint goes in an unhurried step, in cells.
 constexpr double kUnhurriedCourant = 0.08;
@@ -163,11 +165,22 @@ double unhurried_step_s(const PlannedFilm& film, double hurried_s) {
     return std::max(hurried_s, kUnhurriedCourant * film.state.cell_mm / (speed_mm_s + 1e-30));
 }
 
+/// What the pull of tension has made of the paint in the last step, where there are several media.
+double fastest_pulled_speed_mm_s(const PlannedFilm& film) {
+    if (!film.media) return 0.0;
+    double speed_mm_s = 0.0;
+    for (const int tile : film.activity.stepping_tiles())
+        speed_mm_s =
+            std::max(speed_mm_s, static_cast<double>(film.activity.tile(tile).extremes.speed_mm_s));
+    return speed_mm_s;
+}
+
 StepPlan plan_large_step(const PlannedFilm& film, const SolverOptions& options, double seconds) {
     const double cell_mm = film.state.cell_mm;
     const double own_per_s = fastest_speed_mm_s(film) / (kCourant * cell_mm);
     const double blown_per_s = fastest_blown_speed_mm_s(film) / (kBlownCourant * cell_mm);
-    const double wanted_per_s = std::max(own_per_s, blown_per_s);
+    const double pulled_per_s = fastest_pulled_speed_mm_s(film) / (kPulledCourant * cell_mm);
+    const double wanted_per_s = std::max({own_per_s, blown_per_s, pulled_per_s});
     const double steps_per_s = std::min(wanted_per_s, kMostLargeSteps_per_s);
     const double longest_s =
         std::min(unhurried_step_s(film, hurried_step_s(options)), 1.0 / (steps_per_s + 1e-30));

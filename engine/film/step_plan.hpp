@@ -18,7 +18,7 @@ struct PlannedFilm {
     const StepLimits& limits;
     const std::vector<AirJet>& air;
     double density_kg_m3;
-    bool mixed, varied;  ///< as of StepConstants
+    bool mixed, varied, media;  ///< as of StepConstants
     core::ThreadPool& pool;
 };
 

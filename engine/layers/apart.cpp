@@ -99,6 +99,7 @@ void take_tile(const FilmState& from, int tile, FilmState& to) {
     share_tile(from.lower.thickness, tile, to.lower.thickness);
     share_tile(from.lower.paint, tile, to.lower.paint);
     share_tile(from.worked.thickness, tile, to.worked.thickness);
+    film::take_media(from, tile, to);
     share_tile(from.velocity_x, tile, to.velocity_x);
     share_tile(from.velocity_y, tile, to.velocity_y);
     share_tile(from.support_mm, tile, to.support_mm);

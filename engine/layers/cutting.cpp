@@ -35,6 +35,7 @@ void keep_paint(const IsLeft& is_left, int tile, FilmState& layer) {
     keep_cells(is_left, tile, std::int32_t{0}, layer.lower.thickness);
     keep_cells(is_left, tile, film::PaintCell{}, layer.lower.paint);
     keep_cells(is_left, tile, std::int32_t{0}, layer.worked.thickness);
+    keep_cells(is_left, tile, film::MediaCell{}, layer.media.foreign);
     keep_relief(is_left, tile, layer.support_mm);
     keep_cells(is_left, tile, std::int32_t{0}, layer.strata.soluble_thickness);
     keep_cells(is_left, tile, film::PigmentCell{}, layer.strata.soluble_pigment);
@@ -73,6 +74,7 @@ void keep_tile(const FilmState& layer, const grid::Mask& mask, bool chosen, int 
 FilmState part_of(const FilmState& layer, const grid::Mask& mask, bool chosen) {
     FilmState part(layer.shape, layer.cell_mm);
     part.consistencies = layer.consistencies;
+    part.media.numbers = layer.media.numbers;
     for (int tile = 0; tile < layer.shape.tile_count(); ++tile)
         if (holds_paint(layer, tile)) keep_tile(layer, mask, chosen, tile, part);
     return part;

@@ -18,6 +18,22 @@ void go_on_beyond(const grid::Rect& inner, Heights& heights_mm) {
         }
 }
 
+/// Tiles may come apart: each cell tells its media before.
+void put_media_on_extent(const film::FilmState& layer, const grid::Extent& extent,
+                         film::FilmState& result) {
+    result.media.numbers = layer.media.numbers;
+    if (!layer.media.are_several()) return;
+    grid::TiledField<film::MediaCell> told(layer.shape), put(extent.shape);
+    for (int tile = 0; tile < layer.shape.tile_count(); ++tile) {
+        if (layer.thickness.is_background(tile)) continue;
+        for (int cell = 0; cell < grid::kTileCells; ++cell)
+            told.write(tile)[cell] = film::media_in(layer, tile, cell);
+    }
+    grid::put_on_extent(told, extent, put);
+    for (int tile = 0; tile < extent.shape.tile_count(); ++tile)
+        if (!put.is_background(tile)) film::set_media(result, tile, put.block(tile));
+}
+
 }  // namespace
 
 film::FilmState on_extent(const film::FilmState& layer, const grid::Extent& extent) {
@@ -33,6 +49,7 @@ film::FilmState on_extent(const film::FilmState& layer, const grid::Extent& exte
     grid::put_on_extent(strata.soluble_pigment, extent, result.strata.soluble_pigment);
     grid::put_on_extent(strata.optics, extent, result.strata.optics);
     grid::put_on_extent(strata.uppermost, extent, result.strata.uppermost);
+    put_media_on_extent(layer, extent, result);
     result.consistencies = layer.consistencies;
     result.strata.evaporated = strata.evaporated;
     result.strata.fixed =

@@ -41,6 +41,7 @@ struct CellSum {
     double upper_thickness = 0.0;
     std::array<double, film::kPaintChannels> upper_paint{};
     double worked_thickness = 0.0;
+    std::array<double, film::kMostMedia> media{};
     double relief_mm = 0.0;
     double soluble_thickness = 0.0;
     std::array<double, film::kPigmentChannels> soluble_pigment{};
@@ -110,6 +111,7 @@ struct ResultTile {
     TileBlock<film::PaintCell> paint = TileBlock<film::PaintCell>::filled({});
     film::LowerTile lower;
     TileBlock<std::int32_t> worked = TileBlock<std::int32_t>::filled(0);
+    TileBlock<film::MediaCell> media;  ///< of a layer of several
     TileBlock<float> relief_mm = TileBlock<float>::filled(0.0F);
     TileBlock<std::int32_t> soluble_thickness = TileBlock<std::int32_t>::filled(0);
     TileBlock<film::PigmentCell> soluble_pigment = TileBlock<film::PigmentCell>::filled({});
@@ -151,6 +153,7 @@ void put(const CellSum& sum, int cell, ResultTile& tile) {
         round_to(sum.paint, tile.paint.write()[cell]);
         if (sum.any_upper) put_strata(sum, cell, tile);
         tile.worked.write()[cell] = static_cast<std::int32_t>(std::lround(sum.worked_thickness));
+        if (tile.media) round_to(sum.media, tile.media.write()[cell]);
         tile.any_wet = true;
     }
     tile.relief_mm.write()[cell] = relief_of(sum.relief_mm);
@@ -220,6 +223,7 @@ class Resampler {
 
     ResultTile tile(int tile) const {
         ResultTile result;
+        if (layer_.media.are_several()) result.media = TileBlock<film::MediaCell>::filled({});
         Footprint footprint(to_source_);
         const grid::Rect cells = layer_.shape.tile_cells(tile);
         for (int y = cells.y0; y < cells.y1; ++y)
@@ -240,8 +244,10 @@ class Resampler {
             if (!layer_.shape.contains(share.x, share.y)) continue;
             const int tile = layer_.shape.tile_at(share.x, share.y);
             if (!painted_.tiles[static_cast<std::size_t>(tile)]) continue;
-            add(source_tile(layer_, tile), grid::Shape::cell_in_tile(share.x, share.y), share.share,
-                sum);
+            const int cell = grid::Shape::cell_in_tile(share.x, share.y);
+            add(source_tile(layer_, tile), cell, share.share, sum);
+            if (layer_.media.are_several())
+                add_shares(film::media_in(layer_, tile, cell), share.share, sum.media);
         }
         return sum;
     }
@@ -257,6 +263,7 @@ void commit(int tile, ResultTile& from, FilmState& layer) {
         layer.paint.replace(tile, std::move(from.paint));
         from.lower.put_into(layer.lower, tile);
         layer.worked.replace(tile, std::move(from.worked));
+        if (from.media) film::set_media(layer, tile, std::move(from.media));
     }
     if (from.any_relief) layer.support_mm.replace(tile, std::move(from.relief_mm));
     if (from.any_soluble)
@@ -284,6 +291,7 @@ FilmState transformed(const FilmState& layer, const Transform& transform, core::
     const Resampler resampler(layer, inverse(map));
     FilmState result(layer.shape, layer.cell_mm);
     result.consistencies = layer.consistencies;
+    result.media.numbers = layer.media.numbers;
     if (!resampler.painted_cells().empty()) {
         const std::vector<int> tiles = tiles_in(layer.shape, reached(resampler.painted_cells(), map));
         std::vector<std::optional<ResultTile>> results(tiles.size());

@@ -83,6 +83,7 @@ void check_surface(const ZipReader& archive, const char* which, const SurfaceInd
 document::SurfaceState empty_surface(const SurfaceIndex& index) {
     document::SurfaceState surface{film::FilmState(index.shape, index.cell_mm), {}};
     surface.film.consistencies = index.consistencies.value_or(film::Consistencies{});
+    set_media(index.media, surface.film);
     surface.film.strata.fixed = index.fixed;
     surface.film.strata.evaporated = index.evaporated;
     surface.solver.calls = index.calls;
@@ -95,6 +96,8 @@ void fill(const ZipReader& archive, const SurfaceIndex& index, const film::Mediu
           document::SurfaceState& surface, core::ThreadPool& pool) {
     read_tiles(archive, index.entries, surface, pool);
     film::FilmState& film = surface.film;
+    if (!are_possible(film.media, film.thickness))
+        archive.fail(kIndexEntry, "a cell holds more of its media than it holds paint.");
     if (!index.consistencies)
         film.consistencies =
             told_by_paint(document::contents_of(film::totals(film), film.cell_mm), in_hand);
@@ -203,6 +206,7 @@ void read_brush(const ZipReader& archive, const BrushIndex& index, document::Pai
     brush.strokes_begun = index.strokes_begun;
     if (!std::all_of(brush.held.begin(), brush.held.end(), is_possible))
         archive.fail(index.held.entry, "a bristle holds what none can.");
+    if (index.media) brush.media = *index.media;
     brush.consistencies = index.consistencies.value_or(
         told_by_paint(brush.contents(), document::medium_of(painting.medium)));
 }

@@ -156,6 +156,7 @@ Json surface_json(const SurfaceIndex& surface) {
     return {{"cells", Json::array({surface.shape.width, surface.shape.height})},
             {"cell_mm", surface.cell_mm},
             {"consistency", consistencies_json(surface.consistencies.value())},
+            {"media", media_json(surface.media)},
             {"fixed", counts_json(surface.fixed.thickness, surface.fixed.pigment)},
             {"evaporated", surface.evaporated},
             {"advances", surface.calls},
@@ -194,8 +195,8 @@ std::optional<film::Consistencies> read_surface_consistencies(const JsonPlace& s
 }
 
 SurfaceIndex read_surface(const JsonPlace& place) {
-    place.allow_only({"cells", "cell_mm", "varied", "consistency", "fixed", "evaporated", "advances",
-                      "run_off", "tile_entries"});
+    place.allow_only({"cells", "cell_mm", "varied", "consistency", "media", "fixed", "evaporated",
+                      "advances", "run_off", "tile_entries"});
     SurfaceIndex surface;
     const JsonPlace cells = place.entry("cells");
     if (cells.size() != 2) cells.fail("expected a width and a height.");
@@ -204,6 +205,8 @@ SurfaceIndex read_surface(const JsonPlace& place) {
     surface.shape.height = static_cast<int>(cells.element(1).integer(1, kMostCells));
     surface.cell_mm = place.entry("cell_mm").number();
     surface.consistencies = read_surface_consistencies(place);
+    if (const auto media = place.optional_entry("media"))
+        surface.media = read_media(*media, surface.shape.tile_count());
     read_counts(place.entry("fixed"), surface.fixed.thickness, surface.fixed.pigment);
     surface.evaporated = place.entry("evaporated").integer(0, kMostPaint);
     surface.calls = place.entry("advances").integer(0, kMostCounted / 2);
@@ -327,14 +330,16 @@ brush::Gathering read_gathering(const JsonPlace& place) {
 }
 
 BrushIndex read_brush(const JsonPlace& place) {
-    place.allow_only({"strokes_begun", "gatherings", "worn_mm", "consistency", "held"});
+    place.allow_only({"strokes_begun", "gatherings", "worn_mm", "consistency", "media", "held"});
     constexpr std::size_t kMostBristles = 2000;
     BrushIndex brush{static_cast<std::uint32_t>(place.entry("strokes_begun").integer(0, UINT32_MAX)),
                      read_gathering(place),
                      {},
+                     {},
                      read_packed_alone(place.entry("held"), kMostBristles * sizeof(brush::Contents))};
     if (const auto told = place.optional_entry("consistency"))
         brush.consistencies = read_consistencies(*told);
+    if (const auto media = place.optional_entry("media")) brush.media = read_held_media(*media);
     return brush;
 }
 
@@ -411,6 +416,7 @@ std::string index_to_json(const ProjectIndex& index) {
                          {"gatherings", index.brush->gathering.number},
                          {"worn_mm", index.brush->gathering.worn_mm},
                          {"consistency", consistencies_json(index.brush->consistencies.value())},
+                         {"media", held_media_json(index.brush->media.value())},
                          {"held", packed_json(index.brush->held)}};
     }
     if (index.selection) json["selection"] = packed_json(*index.selection);

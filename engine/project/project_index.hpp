@@ -4,6 +4,7 @@
 #include "document/actions/picture_actions.hpp"
 #include "document/painting_state.hpp"
 #include "film/support/support.hpp"
+#include "project/media_record.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 8;
+inline constexpr int kProjectFormatVersion = 9;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -35,6 +36,7 @@ struct SurfaceIndex {
     double cell_mm = 0.0;
     /// Left out where formats before 5 say that it is of one medium.
     std::optional<film::Consistencies> consistencies{};
+    MediaIndex media{};  ///< none in formats before 9
     film::DriedTotals fixed{};
     std::int64_t evaporated = 0;
     std::int64_t calls = 0;
@@ -54,6 +56,7 @@ struct BrushIndex {
     std::uint32_t strokes_begun = 0;
     brush::Gathering gathering{};                        ///< none in formats before 6
     std::optional<film::Consistencies> consistencies{};  ///< formats before 5 do not tell
+    std::optional<brush::HeldMedia> media{};             ///< formats before 9 do not tell
     PackedEntry held;
 };
 

@@ -21,6 +21,7 @@ SurfaceIndex surface_index(const document::SurfaceState& surface) {
     return {.shape = film.shape,
             .cell_mm = film.cell_mm,
             .consistencies = film.consistencies,
+            .media = media_index(film.media),
             .fixed = film.strata.fixed,
             .evaporated = film.strata.evaporated,
             .calls = surface.solver.calls,
@@ -112,7 +113,8 @@ struct FieldKeeper {
         if (!in_hand) return;
         const auto held = std::as_bytes(std::span(in_hand->brush.held));
         draft.index.brush = {in_hand->brush.strokes_begun, in_hand->brush.gathering,
-                             in_hand->brush.consistencies, add_packed(kBrushEntry, held, draft.archive)};
+                             in_hand->brush.consistencies, in_hand->brush.media,
+                             add_packed(kBrushEntry, held, draft.archive)};
     }
     void operator()(const document::Selection& selection) const {
         if (selection)

@@ -66,6 +66,10 @@ struct WorkedThickness : Thickness {
     static auto& of(auto& surface) { return surface.film.worked.thickness; }
     static auto& amount(auto& surface) { return surface.film.thickness; }
 };
+struct Media : Paint {
+    static auto& of(auto& surface) { return surface.film.media.foreign; }
+    static constexpr const char* kWhat = "an amount of a medium";
+};
 struct VelocityX {
     using Value = float;
     static auto& of(auto& surface) { return surface.film.velocity_x; }
@@ -359,6 +363,7 @@ std::span<const TileKind> tile_kinds() {
         field_kind<LowerThickness>("lower_depth"),
         field_kind<LowerPaint>("lower_paint"),
         field_kind<WorkedThickness>("worked"),
+        field_kind<Media>("media"),
         field_kind<VelocityX>("velocity_x"),
         field_kind<VelocityY>("velocity_y"),
         support_kind(),

@@ -26,6 +26,7 @@ void fill_tile(film::FilmState& film, int tile, int salt) {
         film.lower.thickness.write(tile)[cell] = number / 2;
         film.lower.paint.write(tile)[cell].fill(number / 9);
         film.worked.thickness.write(tile)[cell] = number / 4;
+        film.media.foreign.write(tile)[cell].fill(number / 20);
         film.velocity_x.write(tile)[cell] = static_cast<float>(number);
         film.velocity_y.write(tile)[cell] = -static_cast<float>(number);
         film.support_mm.write(tile)[cell] = static_cast<float>(number) * 0x1p-20F;
@@ -39,6 +40,7 @@ void fill_tile(film::FilmState& film, int tile, int salt) {
 /// Two films of which one came of the other: tiles that appeared, changed, went and stayed.
 struct TwoFilms {
     TwoFilms() : older(kShape, 0.25) {
+        older.media.numbers.resize(2);
         core::ThreadPool pool(1);
         older.support_mm = film::named_support("linen", kShape, 0.25, 0.0, pool);
         fill_tile(older, 1, 1);
@@ -53,6 +55,8 @@ struct TwoFilms {
         newer.strata.evaporated = 9;
         newer.strata.fixed.thickness = 4;
         newer.consistencies.add(film::Consistency{5.0F, 3.0F});
+        newer.media.numbers.resize(3);
+        newer.media.own[1] = 2;
     }
     film::FilmState older, newer;
 };

@@ -24,6 +24,7 @@ bool same_paint(const FilmState& a, const FilmState& b, int x, int y) {
     return a.thickness.at(x, y) == b.thickness.at(x, y) && a.paint.at(x, y) == b.paint.at(x, y) &&
            a.lower.thickness.at(x, y) == b.lower.thickness.at(x, y) &&
            a.worked.thickness.at(x, y) == b.worked.thickness.at(x, y) &&
+           a.media.foreign.at(x, y) == b.media.foreign.at(x, y) &&
            a.support_mm.at(x, y) == b.support_mm.at(x, y) &&
            a.strata.soluble_thickness.at(x, y) == b.strata.soluble_thickness.at(x, y) &&
            a.strata.soluble_pigment.at(x, y) == b.strata.soluble_pigment.at(x, y) &&

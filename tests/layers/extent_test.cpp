@@ -12,12 +12,19 @@ namespace {
 using film::FilmState;
 using test::sums_of;
 
+film::MediaCell media_at(const FilmState& film, int x, int y) {
+    return film::media_in(film, film.shape.tile_at(x, y), grid::Shape::cell_in_tile(x, y));
+}
+
 TEST(LayerExtent, MakingRoomLosesNothingAndIsTakenBack) {
     FilmState layer = test::random_layer(3);
     const FilmState wide = on_extent(layer, {{220, 190}, -33, -60});
     EXPECT_EQ(sums_of(wide), sums_of(layer));
     EXPECT_EQ(wide.thickness.at(33 + 20, 60 + 10), layer.thickness.at(20, 10));
     EXPECT_EQ(wide.worked.thickness.at(33 + 20, 60 + 10), layer.worked.thickness.at(20, 10));
+    for (int y = 0; y < layer.shape.height; ++y)
+        for (int x = 0; x < layer.shape.width; ++x)
+            ASSERT_EQ(media_at(wide, 33 + x, 60 + y), media_at(layer, x, y));
     const FilmState back = on_extent(wide, {test::kShape, 33, 60});
     EXPECT_EQ(film::state_hash(back), film::state_hash(layer));
 }

@@ -39,6 +39,23 @@ inline void work_here_and_there(film::FilmState& film, std::uint32_t seed) {
                 film.worked.thickness.set(x, y, film.thickness.at(x, y) / (1 + x % 3));
 }
 
+/// Makes some of the wet paint paint of two other media.
+inline void mix_media(film::FilmState& film, std::uint32_t seed) {
+    film.media.numbers = {film::film_numbers_of(film::find_medium("heavy-body oil"))};
+    film::Medium other = film::find_medium("thinner");
+    for (int k = 0; k < 2; ++k) {
+        other.surface_tension_N_m += 0.001 * seed;
+        const int place = film::add_medium(film, film::film_numbers_of(other));
+        for (int y = 0; y < kShape.height; ++y)
+            for (int x = 0; x < kShape.width; ++x)
+                if (film.thickness.at(x, y) > 0 && chance(x, y, seed + 20 * k, 0.4F)) {
+                    film::MediaCell cell = film.media.foreign.at(x, y);
+                    cell[place] = film.thickness.at(x, y) / (2 + x % 3);
+                    film.media.foreign.set(x, y, cell);
+                }
+    }
+}
+
 /// Strata, then a dissolvable one, then wet paint, each in a part of the cells; the right tile is bare.
 inline film::FilmState random_layer(std::uint32_t seed) {
     core::ThreadPool pool(1);
@@ -50,6 +67,7 @@ inline film::FilmState random_layer(std::uint32_t seed) {
     paint(layer, "heavy-body oil", film::test::kBlue, 0.4F, 10 * seed + 6);
     film::test::strew_strata(layer, seed);
     work_here_and_there(layer, 10 * seed + 9);
+    mix_media(layer, seed);
     return layer;
 }
 

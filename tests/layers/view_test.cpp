@@ -92,6 +92,7 @@ TEST_F(ViewTest, OfOneLayerIsTheLayer) {
     expected.strata.fixed = {};  // counts are no part of a view
     expected.strata.evaporated = 0;
     expected.worked.follow(false);  // it cannot be seen
+    expected.media = film::WetMedia(expected.shape);
     EXPECT_EQ(film::state_hash(view.of(canvas, {{&lower}}, pool)), film::state_hash(expected));
 }
 

@@ -81,10 +81,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":8", "\"version\":9"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 9; this "
-        "program reads up to 8).");
-    EXPECT_THAT(error_of_index("\"version\":8", "\"version\":0"),
+        error_of_index("\"version\":9", "\"version\":10"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 10; this "
+        "program reads up to 9).");
+    EXPECT_THAT(error_of_index("\"version\":9", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }

@@ -69,6 +69,7 @@ TEST_F(MutatedProject, PaintOfRandomNumbers) {
     for (int turn = 0; turn < 12; ++turn) {
         Project bad = good;
         film::FilmState& film = bad.painting.value.film;
+        film.media.numbers.resize(2, film.media.numbers.front());
         for (int change = 0; change < 200; ++change) {
             const int x = static_cast<int>(random() % 180), y = static_cast<int>(random() % 90);
             film::PaintCell cell;
@@ -83,6 +84,7 @@ TEST_F(MutatedProject, PaintOfRandomNumbers) {
             film.lower.paint.set(x, y, cell);
             film.worked.thickness.set(
                 x, y, static_cast<std::int32_t>(random() % film::kMaxThickness_quanta));
+            film.media.foreign.set(x, y, {0, thickness / 3});
             film.velocity_x.set(x, y, static_cast<float>(random() % 200001) - 1e5F);
         }
         EXPECT_TRUE(loads(unseen_file_of(bad, folder, pool)));

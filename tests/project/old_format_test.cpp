@@ -107,6 +107,17 @@ TEST_F(OldFormat, SevenHasPaintThatHasRested) {
     EXPECT_EQ(document::state_hash(old.painting), 0x0597aa1cd8a02b99U);
 }
 
+/// Ink was painted into wet oil when the film had the numbers of the medium in hand.
+TEST_F(OldFormat, EightHasPaintOfTheMediumInHand) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-8.pastoso"), pool);
+    EXPECT_TRUE(old.painting.value.film.media.numbers.empty());
+    EXPECT_TRUE(old.painting.value.film.lower.is_in(0));
+    const document::Painting painting(old.painting, pool);
+    EXPECT_EQ(painting.film().media.numbers,
+              std::vector{film::film_numbers_of(film::find_medium("ink glaze"))});
+    EXPECT_EQ(document::state_hash(old.painting), 0xb670b9405b933726U);
+}
+
 /// Its brush was dipped before dips gathered hairs, and tells a tool of those days.
 TEST_F(OldFormat, FiveHasABrushThatIsAsItWasMade) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-5.pastoso"), pool);

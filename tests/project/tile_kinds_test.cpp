@@ -24,7 +24,7 @@ struct EmptySurface {
         const film::SolverState::AwakeTile& awake = surface.solver.awake[0];
         return film.thickness.is_background(0) && film.paint.is_background(0) &&
                film.lower.thickness.is_background(0) && film.lower.paint.is_background(0) &&
-               film.worked.thickness.is_background(0) &&
+               film.worked.thickness.is_background(0) && film.media.foreign.is_background(0) &&
                film.velocity_x.is_background(0) && film.velocity_y.is_background(0) &&
                film.support_mm.is_background(0) && film.strata.soluble_thickness.is_background(0) &&
                film.strata.soluble_pigment.is_background(0) && film.strata.optics.is_background(0) &&

@@ -48,7 +48,9 @@ void apply(const TakeBrush& take, LivingPainting& painting) {
 }
 
 void apply(const LoadPaint& load, LivingPainting& painting) {
-    brush::MixedLoad paint{.first = mixed_paint(load.paint, painting.medium), .tip_only = load.tip_only};
+    brush::MixedLoad paint{.first = mixed_paint(load.paint, painting.medium),
+                           .tip_only = load.tip_only,
+                           .medium = film::film_numbers_of(painting.medium)};
     if (!load.second.ingredients.empty()) {
         paint.second = mixed_paint(load.second, painting.medium);
         paint.second_share = load.second_share;

@@ -20,8 +20,7 @@ struct UndoStep;
 /// A second of paint time lasts at most this many seconds of drying.
 inline constexpr double kFastestDrying = 1e5;
 
-/// Takes another medium in hand. Paint loaded from now on brings its viscosity, yield stress, solids and
-/// drying time along; the other properties of the medium become those of all wet paint.
+/// Takes another medium in hand: paint loaded from now on is of it. What is wet keeps its own.
 struct UseMedium {
     std::string name;                   ///< of one that comes with the program
     std::optional<film::Medium> own{};  ///< its numbers as the painter changed them, under its name
@@ -55,9 +54,8 @@ template <>
 struct Table<UseMedium> {
     static constexpr ActionTraits kTraits = setting(
         "use_medium", 1,
-        "takes a medium in hand, which the next paint is mixed with. Paint brings viscosity, yield "
-        "stress, solids and drying time of its medium along; density, surface tension, contact "
-        "angles, slip and the alpha range are those of the medium used last, for all wet paint");
+        "takes a medium in hand, which the next paint is mixed with. Paint brings all numbers of its "
+        "medium along");
     static constexpr void fields(auto&& visit) {
         visit(Value<At<&UseMedium::name>>{"name", "medium", Presence::Required});
         visit(Value<At<&UseMedium::own>>{

@@ -16,8 +16,8 @@ bool changes_anything(const CleanWell&, const LivingPainting& painting) {
 void apply(const SqueezePaint& squeeze, LivingPainting& painting) {
     const film::PaintCoefficients paint = mixed_paint(squeeze.paint, painting.medium);
     film::Solver& solver = painting.used_well();
-    painting.value.flows.taken += squeeze_onto(*painting.value.well, solver, paint, squeeze.volume_mm3,
-                                               squeeze.x_mm, squeeze.y_mm);
+    painting.value.flows.taken += squeeze_onto(*painting.value.well, solver, painting.medium, paint,
+                                               squeeze.volume_mm3, squeeze.x_mm, squeeze.y_mm);
 }
 
 void apply(const CleanWell&, LivingPainting& painting) {

@@ -69,7 +69,9 @@ TileDissolving dissolve_tile(const FilmState& state, int tile, double seconds) {
 }
 
 void commit(int tile, TileDissolving& result, FilmState& state) {
+    const TileBlock<std::int32_t> before = state.thickness.block(tile);
     state.thickness.replace(tile, std::move(result.thickness));
+    keep_media_shares(state, tile, before.read());
     state.paint.replace(tile, std::move(result.paint));
     state.support_mm.replace(tile, std::move(result.support_mm));
     replace_soluble(tile, result.any_left, std::move(result.soluble_thickness),

@@ -108,12 +108,15 @@ TileDrying dry_tile(const FilmState& state, int tile, const TimeAt& time_at) {
 
 void commit(int tile, TileDrying& result, FilmState& state) {
     if (result.any_wet) {
+        const TileBlock<std::int32_t> before = state.thickness.block(tile);
         state.thickness.replace(tile, std::move(result.thickness));
+        keep_media_shares(state, tile, before.read());
         state.paint.replace(tile, std::move(result.paint));
         result.lower.put_into(state.lower, tile);
     } else {
         state.thickness.reset(tile);
         state.paint.reset(tile);
+        state.media.foreign.reset(tile);
         state.lower.forget(tile);
         state.velocity_x.reset(tile);
         state.velocity_y.reset(tile);

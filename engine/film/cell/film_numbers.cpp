@@ -2,35 +2,38 @@
 
 #include "film/medium.hpp"
 
+#include <array>
+
 namespace pastoso::film {
 
+std::span<const FilmNumber> film_number_list() {
+    static constexpr std::array kNumbers = {
+        FilmNumber{&FilmNumbers::density_kg_m3, &Medium::density_kg_m3},
+        FilmNumber{&FilmNumbers::flow_index, &Medium::flow_index},
+        FilmNumber{&FilmNumbers::structure_share, &Medium::structure_share},
+        FilmNumber{&FilmNumbers::recovery_s, &Medium::recovery_s},
+        FilmNumber{&FilmNumbers::breakdown_strain, &Medium::breakdown_strain},
+        FilmNumber{&FilmNumbers::surface_tension_N_m, &Medium::surface_tension_N_m},
+        FilmNumber{&FilmNumbers::advancing_angle_deg, &Medium::advancing_angle_deg},
+        FilmNumber{&FilmNumbers::receding_angle_deg, &Medium::receding_angle_deg},
+        FilmNumber{&FilmNumbers::slip_cells, &Medium::slip_cells},
+        FilmNumber{&FilmNumbers::alpha_min, &Medium::alpha_min},
+        FilmNumber{&FilmNumbers::alpha_max, &Medium::alpha_max},
+    };
+    return kNumbers;
+}
+
 FilmNumbers film_numbers_of(const Medium& medium) {
-    return {.density_kg_m3 = medium.density_kg_m3,
-            .flow_index = medium.flow_index,
-            .structure_share = medium.structure_share,
-            .recovery_s = medium.recovery_s,
-            .breakdown_strain = medium.breakdown_strain,
-            .surface_tension_N_m = medium.surface_tension_N_m,
-            .advancing_angle_deg = medium.advancing_angle_deg,
-            .receding_angle_deg = medium.receding_angle_deg,
-            .slip_cells = medium.slip_cells,
-            .alpha_min = medium.alpha_min,
-            .alpha_max = medium.alpha_max};
+    FilmNumbers numbers;
+    for (const FilmNumber& number : film_number_list())
+        numbers.*number.of_film = medium.*number.of_medium;
+    return numbers;
 }
 
 Medium with_film_numbers(const Medium& medium, const FilmNumbers& numbers) {
     Medium result = medium;
-    result.density_kg_m3 = numbers.density_kg_m3;
-    result.flow_index = numbers.flow_index;
-    result.structure_share = numbers.structure_share;
-    result.recovery_s = numbers.recovery_s;
-    result.breakdown_strain = numbers.breakdown_strain;
-    result.surface_tension_N_m = numbers.surface_tension_N_m;
-    result.advancing_angle_deg = numbers.advancing_angle_deg;
-    result.receding_angle_deg = numbers.receding_angle_deg;
-    result.slip_cells = numbers.slip_cells;
-    result.alpha_min = numbers.alpha_min;
-    result.alpha_max = numbers.alpha_max;
+    for (const FilmNumber& number : film_number_list())
+        result.*number.of_medium = numbers.*number.of_film;
     return result;
 }
 

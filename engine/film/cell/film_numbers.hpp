@@ -1,6 +1,8 @@
 // The numbers of a medium that the channels of its paint do not hold (paint_cell.hpp).
 #pragma once
 
+#include <span>
+
 namespace pastoso::film {
 
 struct Medium;
@@ -11,6 +13,13 @@ struct FilmNumbers {
         advancing_angle_deg, receding_angle_deg, slip_cells, alpha_min, alpha_max;
     friend bool operator==(const FilmNumbers&, const FilmNumbers&) = default;
 };
+/// Each of them, and which of a medium it is.
+struct FilmNumber {
+    double FilmNumbers::*of_film;
+    double Medium::*of_medium;
+};
+std::span<const FilmNumber> film_number_list();
+
 FilmNumbers film_numbers_of(const Medium& medium);
 /// The medium with these numbers instead of its own.
 Medium with_film_numbers(const Medium& medium, const FilmNumbers& numbers);

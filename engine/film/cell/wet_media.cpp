@@ -42,13 +42,9 @@ Media used_media(const FilmState& state) {
 /// How far apart two media are: the squares of what their numbers differ by, of the larger one.
 double difference(const FilmNumbers& a, const FilmNumbers& b) {
     double sum = 0.0;
-    for (const auto number :
-         {&FilmNumbers::density_kg_m3, &FilmNumbers::flow_index, &FilmNumbers::structure_share,
-          &FilmNumbers::recovery_s, &FilmNumbers::breakdown_strain, &FilmNumbers::surface_tension_N_m,
-          &FilmNumbers::advancing_angle_deg, &FilmNumbers::receding_angle_deg, &FilmNumbers::slip_cells,
-          &FilmNumbers::alpha_min, &FilmNumbers::alpha_max}) {
-        const double larger = std::max({std::abs(a.*number), std::abs(b.*number), 1e-12});
-        const double part = (a.*number - b.*number) / larger;
+    for (const FilmNumber& number : film_number_list()) {
+        const double of_a = a.*number.of_film, of_b = b.*number.of_film;
+        const double part = (of_a - of_b) / std::max({std::abs(of_a), std::abs(of_b), 1e-12});
         sum += part * part;
     }
     return sum;
@@ -133,6 +129,70 @@ double mixed_number(const FilmState& state, int tile, int cell, double FilmNumbe
     }
     const double own = media.numbers[media.own[tile]].*number;
     return thickness > 0 ? (sum + std::max(rest, 0.0) * own) / thickness : own;
+}
+
+MediaCell media_in(const FilmState& state, int tile, int cell) {
+    MediaCell amounts = state.media.foreign.read(tile)[cell];
+    std::int32_t rest = state.thickness.read(tile)[cell];
+    for (const std::int32_t amount : amounts)
+        rest -= amount;
+    amounts[state.media.own[tile]] = std::max(rest, 0);
+    return amounts;
+}
+
+void set_media(FilmState& state, int tile, grid::TileBlock<MediaCell> amounts) {
+    std::array<std::int64_t, kMostMedia> sums{};
+    for (int cell = 0; cell < kTileCells; ++cell)
+        for (int k = 0; k < kMostMedia; ++k)
+            sums[k] += amounts.read()[cell][k];
+    const auto own = std::max_element(sums.begin(), sums.end()) - sums.begin();
+    for (int cell = 0; cell < kTileCells; ++cell)
+        amounts.write()[cell][own] = 0;
+    state.media.own[tile] = static_cast<std::uint8_t>(own);
+    state.media.replace(tile, std::move(amounts));
+}
+
+void keep_media_shares(FilmState& state, int tile, const std::int32_t* before) {
+    if (!state.media.is_mixed(tile)) return;
+    const std::int32_t* after = state.thickness.read(tile);
+    auto cells = grid::TileBlock<MediaCell>::copy_of(state.media.foreign.read(tile));
+    for (int cell = 0; cell < kTileCells; ++cell) {
+        if (after[cell] == before[cell]) continue;
+        const double grown = before[cell] > 0 ? static_cast<double>(after[cell]) / before[cell] : 0.0;
+        for (std::int32_t& amount : cells.write()[cell])
+            amount = static_cast<std::int32_t>(amount * grown);
+    }
+    state.media.replace(tile, std::move(cells));
+}
+
+void take_media(const FilmState& from, int tile, FilmState& to) {
+    if (to.media.numbers.empty()) to.media.numbers = from.media.numbers;
+    if (to.media.numbers == from.media.numbers) {
+        to.media.own[tile] = from.media.own[tile];
+        to.media.foreign.replace(tile, from.media.foreign.block(tile));
+        if (!from.media.is_mixed(tile)) to.media.foreign.reset(tile);
+        return;
+    }
+    const std::vector<int> places = places_of_media(from, to);
+    if (places.empty()) return;
+    auto amounts = grid::TileBlock<MediaCell>::filled({});
+    for (int cell = 0; cell < kTileCells; ++cell)
+        amounts.write()[cell] = at_places(media_in(from, tile, cell), places);
+    set_media(to, tile, std::move(amounts));
+}
+
+std::vector<int> places_of_media(const FilmState& from, FilmState& to) {
+    std::vector<int> places;
+    for (const FilmNumbers& numbers : from.media.numbers)
+        places.push_back(add_medium(to, numbers));
+    return places;
+}
+
+MediaCell at_places(const MediaCell& amounts, const std::vector<int>& places) {
+    MediaCell result{};
+    for (std::size_t k = 0; k < places.size(); ++k)
+        result[places[k]] += amounts[k];
+    return result;
 }
 
 void settle_media(FilmState& state, int tile) {

@@ -40,6 +40,23 @@ struct WetMedia {
 /// The index of a medium among those of the film, which it may be new to.
 int add_medium(FilmState& state, const FilmNumbers& medium);
 
+/// All that a cell holds, by the media's places.
+MediaCell media_in(const FilmState& state, int tile, int cell);
+
+/// Says what the cells of a tile hold, all media told: the one of which there is most is the tile's own.
+void set_media(FilmState& state, int tile, grid::TileBlock<MediaCell> amounts);
+
+/// Keeps the shares in cells of a tile whose thickness, `before`, has changed by itself.
+void keep_media_shares(FilmState& state, int tile, const std::int32_t* before);
+
+/// Where the media of one film stand in another one, which may be new to them.
+std::vector<int> places_of_media(const FilmState& from, FilmState& to);
+/// Amounts by the places of one film by those of another one.
+MediaCell at_places(const MediaCell& amounts, const std::vector<int>& places);
+
+/// Makes the media of a tile those of the same tile in a film of the same shape.
+void take_media(const FilmState& from, int tile, FilmState& to);
+
 /// A number of what a cell holds: the mean over its media, by volume; of no paint that of the tile's
 /// own.
 double mixed_number(const FilmState& state, int tile, int cell, double FilmNumbers::*number);
