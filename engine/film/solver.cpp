@@ -256,8 +256,8 @@ std::optional<int> Solver::Parts::only_medium(const std::vector<TilePlace>& plac
     std::optional<int> only;
     const auto differs = [&](int tile) {
         if (state.thickness.is_background(tile)) return false;
-        const int own = state.media.own[tile];
-        return state.media.is_mixed(tile) || only.value_or(own) != own || (only = own, false);
+        if (!only) only = state.media.own[tile];
+        return state.media.is_mixed(tile) || state.media.own[tile] != *only;
     };
     for (const TilePlace& place : places)
         if (any_tile_near(place, state.shape.tiles_x(), differs)) return std::nullopt;

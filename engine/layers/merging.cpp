@@ -157,10 +157,15 @@ void commit(int tile, LayerTile& from, FilmState& layer) {
     layer.strata.evaporated += from.evaporated;
 }
 
+/// Where the media of both layers stand in the merged one.
+struct MergedPlaces {
+    std::vector<int> lower, upper;
+};
+
 /// Says which media are in a tile whose thickness is what became of both: the upper layer's wet paint,
 /// unless it dried, on the lower one's, unless that did.
-void mix_media(const FilmState& lower, const FilmState& upper, const std::vector<int>& upper_places,
-               int tile, FilmState& result) {
+void mix_media(const FilmState& lower, const FilmState& upper, const MergedPlaces& places, int tile,
+               FilmState& result) {
     auto amounts = TileBlock<film::MediaCell>::filled({});
     for (int cell = 0; cell < kTileCells; ++cell) {
         const std::int32_t below = lower.thickness.read(tile)[cell];
@@ -168,9 +173,10 @@ void mix_media(const FilmState& lower, const FilmState& upper, const std::vector
         const std::int32_t whole = result.thickness.read(tile)[cell];
         if (whole == 0) continue;
         film::MediaCell& media = amounts.write()[cell];
-        if (whole == below || whole == below + above) media = film::media_in(lower, tile, cell);
+        if (whole == below || whole == below + above)
+            media = film::at_places(film::media_in(lower, tile, cell), places.lower);
         if (whole == below) continue;
-        const film::MediaCell added = film::at_places(film::media_in(upper, tile, cell), upper_places);
+        const film::MediaCell added = film::at_places(film::media_in(upper, tile, cell), places.upper);
         for (int k = 0; k < film::kMostMedia; ++k)
             media[k] += added[k];
     }
@@ -195,10 +201,11 @@ FilmState merged(const FilmState& lower, const FilmState& upper, double upper_op
     pool.run(both.size(), [&](std::size_t index, int) {
         tiles[index] = merged_tile(lower, upper, upper_opacity, both[index]);
     });
-    const std::vector<int> upper_places = film::places_of_media(upper, result);
+    const MergedPlaces places{film::places_of_media(lower, result),
+                              film::places_of_media(upper, result)};
     for (std::size_t index = 0; index < both.size(); ++index) {
         commit(both[index], tiles[index], result);
-        if (result.media.are_several()) mix_media(lower, upper, upper_places, both[index], result);
+        if (result.media.are_several()) mix_media(lower, upper, places, both[index], result);
     }
     result.strata.fixed += upper.strata.fixed;
     result.strata.evaporated += upper.strata.evaporated;

@@ -326,8 +326,9 @@ TEST_P(Media, AFrontOfLowerTensionGoesOutWithTheRootOfTime) {
     // for these numbers goes as 0.24848 t^(1/2). Tension bends the film in front and behind for 0.2 mm,
     // where the exact front has a step: 6 and, in cells half as large, 4 % short.
     EXPECT_NEAR(front_rate(GetParam(), 0.25), 0.24848, 0.07 * 0.24848);
-    if (GetParam().options.scheme == film::Scheme::LargeStep)
+    if (GetParam().options.scheme == film::Scheme::LargeStep) {
         EXPECT_NEAR(front_rate(GetParam(), 0.125), 0.24848, 0.05 * 0.24848);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Media, testing::ValuesIn(all_schemes()),
