@@ -33,6 +33,7 @@ struct FilmEnd {
     F normal_x, normal_y;  ///< |n| of the outline
     F contact_slope;       ///< of the surface against the support at the contact line; 0 in other cells
     F slope;               ///< the same where the film enters the cell; 0 where it fills the cell
+    F mean_slope;  ///< of the film in the cell; of a cliff that stands in it, its height in cells
     F covered;             ///< share of the cell; 1 in other cells
     F reach_mm;            ///< from the film inside to the contact line
     F depth_x_mm, depth_y_mm;  ///< mean thickness at the cell's inner x and y face
@@ -162,7 +163,7 @@ PASTOSO_LANE_FUNCTION FilmEnd<F> film_end(const Thickness& thickness, F tan_adva
         lanes::min(lanes::min(thinner(1, 0), thinner(0, 1)), lanes::min(thinner(1, 1), thinner(1, -1)));
     const F h = thickness(0, 0), wet(step.wet_mm);
     const auto ends = h > wet && beside <= wet;
-    if (!lanes::any(ends)) return {one, one, zero, zero, one, zero, zero, zero, zero, zero};
+    if (!lanes::any(ends)) return {one, one, zero, zero, zero, one, zero, zero, zero, zero, zero};
     const OutlineNormal<F> normal = outline_normal<F>(thickness);
     const F a = lanes::max(lanes::abs(normal.x), least), b = lanes::max(lanes::abs(normal.y), least);
     const EndSearch<F> search{film_inside(thickness, normal.x, normal.y), a, b, a + b, h, wet};
@@ -175,6 +176,7 @@ PASTOSO_LANE_FUNCTION FilmEnd<F> film_end(const Thickness& thickness, F tan_adva
                                           F((h + surface.bend * covered.bend_volume) / covered.volume));
     const F entering = surface.slope - surface.bend * (search.way(q) - half * search.inside.distance);
     const F mean = search.inside.near / search.way(q);
+    const F descent = surface.slope - surface.bend * covered.volume / covered.area;
     const F far_a = lanes::max(F(q - a), zero), far_b = lanes::max(F(q - b), zero);
     const F excess = lanes::max(F(contact_slope - tan_advancing * cell), zero);
     const F movable = F(kStepsOver) * excess * search.way(q);
@@ -186,6 +188,7 @@ PASTOSO_LANE_FUNCTION FilmEnd<F> film_end(const Thickness& thickness, F tan_adva
             .normal_y = lanes::abs(normal.y),
             .contact_slope = lanes::select(ends, contact_slope, zero) * per_cell,
             .slope = lanes::select(partly, entering, zero) * per_cell,
+            .mean_slope = lanes::select(search.inside.near > h, descent, h) * per_cell,
             .covered = lanes::select(partly, covered.area, one),
             .reach_mm = search.way(q) * cell,
             .depth_x_mm = half * mean * (q * q - far_b * far_b) / b,

@@ -14,6 +14,16 @@ namespace {
 /// From millimetres, seconds and kg/m3 to joules: mm5/s2 to m5/s2.
 constexpr double kJoule = 1e-15;
 
+double area_of(double slope2, bool full_curvature) {
+    return full_curvature ? std::sqrt(1.0 + slope2) : 1.0 + 0.5 * slope2;
+}
+
+/// Of the film in a cell, over the cell's own area.
+struct FilmSurface {
+    double area;     ///< of its surface
+    double covered;  ///< of the ground under it
+};
+
 /// A film with its neighbours across periodic edges.
 class Cells {
   public:
@@ -53,6 +63,41 @@ class Cells {
                (film_.cell_mm * film_.cell_mm);
     }
 
+    /// Slope of the film's surface at the face to the cell (dx, dy) further; where the film ends there,
+    /// that with which it enters.
+    double surface_slope(int x, int y, int dx, int dy, const StepConstants& step) const {
+        const int to_x = dx == 0 ? x : column(x + dx), to_y = dy == 0 ? y : row(y + dy);
+        const double rise = (eta(to_x, to_y) - eta(x, y)) / film_.cell_mm;
+        if (!step.has_contact_angle() || h(to_x, to_y) >= h(x, y)) return rise;
+        const FilmEnd<float> end = this->end(to_x, to_y, step);
+        if (end.slope == 0.0F) return rise;
+        const double ground = (c(to_x, to_y) - c(x, y)) / film_.cell_mm;
+        return ground - end.slope * (dx != 0 ? end.normal_x : end.normal_y);
+    }
+    /// Area of the surface over that of the cell, within the film: the mean of its four quarters.
+    double surface_area(int x, int y, const StepConstants& step) const {
+        double sum = 0.0;
+        for (const int dx : {-1, 1})
+            for (const int dy : {-1, 1}) {
+                const double slope_x = surface_slope(x, y, dx, 0, step);
+                const double slope_y = surface_slope(x, y, 0, dy, step);
+                sum += area_of(slope_x * slope_x + slope_y * slope_y, step.full_curvature);
+            }
+        return 0.25 * sum;
+    }
+
+    /// Of paint that does not move, mm.
+    double negligible_mm() const { return 1e-4 * film_.cell_mm; }
+
+    /// Of a wet cell.
+    FilmSurface surface(int x, int y, const StepConstants& step) const {
+        if (!step.has_contact_angle()) return {surface_area(x, y, step), 1.0};
+        const FilmEnd<float> end = this->end(x, y, step);
+        if (end.contact_slope == 0.0F) return {surface_area(x, y, step), 1.0};
+        const double slope2 = end.mean_slope * end.mean_slope;
+        return {end.covered * area_of(slope2, step.full_curvature), end.covered};
+    }
+
     /// How the film ends in a cell.
     FilmEnd<float> end(int x, int y, const StepConstants& step) const {
         return film_end<float>(
@@ -72,10 +117,6 @@ class Cells {
     const FilmState& film_;
     bool periodic_x_, periodic_y_;
 };
-
-double area_of(double slope2, bool full_curvature) {
-    return full_curvature ? std::sqrt(1.0 + slope2) : 1.0 + 0.5 * slope2;
-}
 
 struct Sums {
     double moment_x = 0.0, moment_y = 0.0, max_h = 0.0;
@@ -100,9 +141,7 @@ void for_each_painted_cell(const FilmState& film, const Visit& visit) {
 Measures measure(const FilmState& film, const Medium& medium, const Gravity& gravity,
                  const SolverOptions& options) {
     const Cells cells(film, options);
-    const double negligible_mm = 1e-4 * film.cell_mm;
     const double cos_angle = std::cos(core::radians(medium.advancing_angle_deg));
-    const auto eta = [&](int x, int y) { return cells.eta(x, y); };
     const auto support = [&](int x, int y) { return cells.c(x, y); };
     const StepConstants step = make_constants(medium, gravity, options, film.cell_mm);
     Sums sums;
@@ -113,18 +152,12 @@ Measures measure(const FilmState& film, const Medium& medium, const Gravity& gra
         sums.moment_y += h * (y + 0.5);
         sums.max_h = std::max(sums.max_h, h);
         sums.gravity += h * (cells.c(x, y) + 0.5 * h);
-        if (h <= negligible_mm) return;
+        if (h <= cells.negligible_mm()) return;
         const double u = cells.u(x, y), v = cells.v(x, y);
         sums.kinetic += h * (u * u + v * v);
         const double ground = area_of(cells.slope2(x, y, support), options.full_curvature);
-        double surface = area_of(cells.slope2(x, y, eta), options.full_curvature), covered = 1.0;
-        if (step.has_contact_angle()) {
-            const FilmEnd<float> end = cells.end(x, y, step);
-            covered = end.covered;
-            if (covered < 1.0)
-                surface = area_of(end.contact_slope * end.contact_slope, options.full_curvature);
-        }
-        sums.surface += covered * (surface - cos_angle * ground);
+        const FilmSurface surface = cells.surface(x, y, step);
+        sums.surface += surface.area - cos_angle * ground * surface.covered;
         sums.wet = grid::bounding_box(sums.wet, {x, y, x + 1, y + 1});
     });
 
