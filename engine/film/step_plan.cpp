@@ -79,13 +79,26 @@ double largest_of_cells(const PlannedFilm& film, int tile, const Value& value) {
     return largest;
 }
 
+/// What the body force alone makes of the paint of a tile that it carries fastest, at most.
+double fastest_speed_mm_s(const PlannedFilm& film, int tile) {
+    if (!film.varied)
+        return film.limits.fastest_speed_mm_s(thickness_mm(thickest_quanta(film.state, tile)));
+    return largest_of_cells(film, tile, [&](int, double h, double viscosity, double yield) {
+        return film.limits.fastest_speed_mm_s(h, viscosity, yield);
+    });
+}
+
+/// For paint that may be at rest: its waves, and what the body force will make of it.
 double resting_step_s(const PlannedFilm& film, int tile) {
     const double thickest_mm = thickness_mm(thickest_quanta(film.state, tile));
-    if (!film.varied) return film.limits.newtonian_step_s(thickest_mm);
-    return film.limits.resting_step_s(
-        thickest_mm, largest_of_cells(film, tile, [](int, double h, double viscosity, double) {
-            return h * h * h / viscosity;
-        }));
+    const double waves_s =
+        film.varied ? film.limits.resting_step_s(
+                          thickest_mm, largest_of_cells(film, tile,
+                                                        [](int, double h, double viscosity, double) {
+                                                            return h * h * h / viscosity;
+                                                        }))
+                    : film.limits.newtonian_step_s(thickest_mm);
+    return std::min(waves_s, film.limits.advection_step_s(fastest_speed_mm_s(film, tile)));
 }
 
 /// The largest value(tile) of these tiles.
@@ -105,11 +118,7 @@ double fastest_speed_mm_s(const PlannedFilm& film) {
             thickest = std::max(thickest, thickest_quanta(film.state, tile));
         return film.limits.fastest_speed_mm_s(thickness_mm(thickest));
     }
-    return largest_of_tiles(film, tiles, [&](int tile) {
-        return largest_of_cells(film, tile, [&](int, double h, double viscosity, double yield) {
-            return film.limits.fastest_speed_mm_s(h, viscosity, yield);
-        });
-    });
+    return largest_of_tiles(film, tiles, [&](int tile) { return fastest_speed_mm_s(film, tile); });
 }
 
 /// The push of all jets on a cell, mm/s2, at most.

@@ -87,6 +87,8 @@ FaceNeighbourhood<float> scalar_neighbourhood(const TileScratch& s, const StepCo
     face.h_right = b.thickness[i + along];
     face.support_left = b.support[i];
     face.support_right = b.support[i + along];
+    face.rise_left = s.rise_mm[i];
+    face.rise_right = s.rise_mm[i + along];
     face.eta_left2 = b.eta[i - along];
     face.eta_left = b.eta[i];
     face.eta_right = b.eta[i + along];

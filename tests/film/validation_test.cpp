@@ -63,12 +63,13 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(ShortCase{"nusselt-film", 0, {{"speed", 1e-4}}},           // reached 1e-6
                     ShortCase{"bingham-film", 0, {{"speed", 1e-3}}},           // reached 2e-5
                     ShortCase{"herschel-bulkley-film", 0, {{"speed", 1e-4}}},  // reached 2e-5
-                    ShortCase{"slope-current", 0, {{"front", 0.01}, {"profile", 0.03}}},
-                    ShortCase{"slope-current", 1, {{"front", 0.01}, {"profile", 0.03}}},
+                    ShortCase{"slope-current", 0, {{"front", 0.01}, {"profile", 0.012}}},
+                    ShortCase{"slope-current", 1, {{"front", 0.005}, {"profile", 0.003}}},
                     ShortCase{"round-current", 1, {{"radius", 0.03}, {"height", 0.03}}},
                     ShortCase{"gravity-ripple", 1, {{"rate", 0.005}}},
                     ShortCase{"tension-ripple", 0, {{"rate", 0.04}}},
                     ShortCase{"tension-ripple", 1, {{"rate", 0.02}}},
+                    ShortCase{"running-wave", 1, {{"amplitude", 0.006}, {"way", 0.004}}},
                     ShortCase{"yielded-heap", 0, {{"height", 0.02}, {"profile", 0.04}}},
                     ShortCase{"yielded-slope", 0, {{"mean thickness", 0.01}}}));
 

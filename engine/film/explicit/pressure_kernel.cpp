@@ -122,6 +122,23 @@ void surface_pressure(const StepConstants& step, int y, TileScratch& scratch) {
     });
 }
 
+/// -(dt/2) div(h u) with the old velocities and the mean thickness at the faces.
+void predict_rise(const StepConstants& step, int y, TileScratch& scratch) {
+    const HaloBlock& block = scratch.block;
+    const float* h = block.thickness.data();
+    const Lanes half_courant(0.25F * step.dt_s * step.inverse_cell);
+    const auto flow = [h](const BlockArray<float>& velocity, int i, int along) {
+        return load(&velocity[i]) * (load(h + i) + load(h + i + along));
+    };
+    for_each_lane_group(-1, kTileSize + 1, [&](int x) {
+        const int i = block_index(x, y);
+        const Lanes along_x = flow(block.velocity_x, i, 1) - flow(block.velocity_x, i - 1, 1);
+        const Lanes along_y = flow(block.velocity_y, i, kBlockStride) -
+                              flow(block.velocity_y, i - kBlockStride, kBlockStride);
+        store(&scratch.rise_mm[i], -half_courant * (along_x + along_y));
+    });
+}
+
 /// Slopes, curvature and pressure in all rows that a flow through a wet row can look at.
 template <bool kFullCurvature>
 void prepare(const StepConstants& step, TileScratch& scratch) {
@@ -136,8 +153,10 @@ void prepare(const StepConstants& step, TileScratch& scratch) {
     for (int y = first - 1; y <= last; ++y)
         face_slopes<kFullCurvature>(scratch, step, y, kBlockStride, 1, scratch.ends.normal_y.data(),
                                     scratch.slope_y.data());
-    for (int y = first; y <= last; ++y)
+    for (int y = first; y <= last; ++y) {
         surface_pressure(step, y, scratch);
+        predict_rise(step, y, scratch);
+    }
 }
 
 }  // namespace

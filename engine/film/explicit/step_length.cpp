@@ -52,13 +52,15 @@ double StepLimits::resting_step_s(double thickest_mm, double largest_h3_per_visc
     return wave_step_s(thickest_mm, thickest_mm * drag / largest_h3_per_viscosity);
 }
 
+double StepLimits::advection_step_s(double speed_mm_s) const {
+    return speed_mm_s > 0.0 ? kAdvectionCourant * cell_mm / speed_mm_s : kUnlimited;
+}
+
 double StepLimits::flowing_step_s(const FlowExtremes& extremes) const {
     if (extremes.mobility <= 0.0F) return kUnlimited;
     const double drag_rate = extremes.thickness_mm / extremes.mobility;
     const double waves = wave_step_s(extremes.thickness_mm, drag_rate);
-    const double advection =
-        extremes.speed_mm_s > 0.0F ? kAdvectionCourant * cell_mm / extremes.speed_mm_s : kUnlimited;
-    return std::min(waves, advection);
+    return std::min(waves, advection_step_s(extremes.speed_mm_s));
 }
 
 }  // namespace pastoso::film

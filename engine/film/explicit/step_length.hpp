@@ -31,6 +31,8 @@ struct StepLimits {
     double newtonian_step_s(double thickness_mm) const;
     /// For paint at rest whose cells differ: `thickest_mm` anywhere, and the largest h^3/nu.
     double resting_step_s(double thickest_mm, double largest_h3_per_viscosity) const;
+    /// A quarter of a cell's way at this speed.
+    double advection_step_s(double speed_mm_s) const;
     /// For paint whose measured flow is given: its largest mobility h/l (yield stress included) and
     /// thickness bound the waves, its largest speed the advection (a quarter of a cell).
     double flowing_step_s(const FlowExtremes& extremes) const;

@@ -40,6 +40,8 @@ struct TileScratch {
     alignas(64) BlockArray<float> slope_x, slope_y;    ///< contact-aware surface slopes at the faces
     alignas(64) BlockArray<float> pressure;            ///< Pi, mm2/s2
     alignas(64) BlockArray<float> curvature;           ///< kappa, 1/mm
+    /// Of the surface in half the step, by the old velocities.
+    alignas(64) BlockArray<float> rise_mm;
 
     /// x faces hold (x, y) with x = -1..63, y = 0..63; y faces x = 0..63, y = -1..63.
     alignas(64) FaceArray<float> velocity_x, velocity_y;

@@ -83,6 +83,8 @@ template <FaceModel kModel, class Load>
     face.eta_left = load_at(eta + i);
     face.eta_right = load_at(eta + i + s);
     face.eta_right2 = load_at(eta + i + 2 * s);
+    face.rise_left = load_at(&scratch.rise_mm[i]);
+    face.rise_right = load_at(&scratch.rise_mm[i + s]);
     face.eta_slope_across =
         Lanes(0.25F * step.inverse_cell) * ((load_at(eta + i + t) - load_at(eta + i - t)) +
                                             (load_at(eta + i + s + t) - load_at(eta + i + s - t)));

@@ -50,6 +50,7 @@ struct FaceNeighbourhood {
     F h_left, h_right;                             ///< wet thickness, mm
     F support_left, support_right;                 ///< c, mm
     F eta_left2, eta_left, eta_right, eta_right2;  ///< surface height, mm, two cells to each side
+    F rise_left, rise_right;          ///< of the surface in half the step, by the old velocities, mm
     F eta_slope_across;               ///< slope of eta along the face, centred mean of both cells
     F pressure_left, pressure_right;  ///< Pi, mm2/s2
     F pressure_rise_across;           ///< difference_across() of Pi, mm2/s2; with a yield stress only

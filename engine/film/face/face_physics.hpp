@@ -16,7 +16,8 @@
 namespace pastoso::film {
 
 /// Thickness carried by the flow: the surface of the upwind cell extrapolated to the face with the
-/// monotonised-central limiter, less the support, within [0, the thicker of both cells].
+/// monotonised-central limiter and to the middle of the step by its rise (Hancock's predictor), between
+/// those of both cells; less the support, within [0, the thicker of both cells].
 template <class F>
 PASTOSO_LANE_FUNCTION F upwind_thickness(const FaceNeighbourhood<F>& face, F drive) {
     const F zero(0.0F), half(0.5F), two(2.0F);
@@ -27,8 +28,10 @@ PASTOSO_LANE_FUNCTION F upwind_thickness(const FaceNeighbourhood<F>& face, F dri
     const F limited = lanes::min(two * lanes::min(lanes::abs(rise), lanes::abs(rise_upwind)),
                                  half * lanes::abs(rise + rise_upwind));
     const F slope = lanes::select(rise * rise_upwind > zero, lanes::copysign(limited, rise), zero);
-    const F eta_face =
-        lanes::select(from_left, face.eta_left + half * slope, face.eta_right - half * slope);
+    const F midway = lanes::select(from_left, face.eta_left + half * slope + face.rise_left,
+                                   face.eta_right - half * slope + face.rise_right);
+    const F eta_face = lanes::clamp(midway, lanes::min(face.eta_left, face.eta_right),
+                                    lanes::max(face.eta_left, face.eta_right));
     return lanes::clamp(F(eta_face - half * (face.support_left + face.support_right)), zero,
                         lanes::max(face.h_left, face.h_right));
 }

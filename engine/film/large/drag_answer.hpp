@@ -36,6 +36,19 @@ template <bool kYield>
     return {Lanes(factor * along), factor};
 }
 
+/// The answer where drag was found with the viscosity at the velocity `last`: the drag of shear-thinning
+/// paint grows as the velocity's power `index`, whose tangent there leaves
+///     u = last + (F w - last) (1 + drag) / (1 + index drag).
+/// A velocity that falls to less than a quarter of F w by that is beyond the tangent's reach.
+[[gnu::always_inline]] inline DragAnswer thinned_answer(const DragAnswer& answer, Lanes last, Lanes drag,
+                                                        Lanes index) {
+    const Lanes one(1.0F);
+    const Lanes gain = (one + drag) / (one + index * drag);
+    const Lanes flow = last + (answer.flow - last) * gain;
+    const auto within = flow * answer.flow > Lanes(0.25F) * answer.flow * answer.flow;
+    return {lanes::select(within, flow, answer.flow), answer.slope * lanes::select(within, gain, one)};
+}
+
 /// The share of its last answer's slope that a face keeps at least. Newton's method may swing between an
 /// arrested and a flowing film, whose slopes are 0 and 1: a slope that rises at once and falls in steps
 /// keeps it from overshooting, and the flow found stays the law's.
@@ -46,7 +59,8 @@ constexpr float kKeptSlope = 0.25F;
 /// leaves of the driving one, u* = F - F' (w - driven) and D = F'. The mobility is dt^2 D h / dx^2. With
 /// `kCompare`, returns by what part a flux of the row's last answer to that pressure differs from what
 /// drag leaves; fluxes of less than 1/50 cell a step count as that much, and a thousandth as nothing.
-template <bool kYield, bool kCompare>
+/// With `kThinning`, drag is that of the faces' velocities.
+template <bool kYield, bool kCompare, bool kThinning = false>
 float answer_row(const StepConstants& step, const float* pressure, int along, int first_x, int y,
                  LargeFaces& faces) {
     constexpr float kNegligibleFlux = 0.02F, kNoError = 0.001F;
@@ -83,6 +97,10 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
                 answer.slope = lanes::max(answer.slope, Lanes(Lanes(kKeptSlope) * last_slope));
             }
         }
+        if constexpr (kThinning)
+            answer = thinned_answer(answer, load(&faces.velocity[f]), drag, load(&faces.index[f]));
+        if constexpr (!kCompare && !kYield)
+            store(&faces.first[f], lanes::select(implicit, answer.flow, load(&faces.first[f])));
         const Lanes tangent = answer.flow - answer.slope * (velocity - driven);
         store(&faces.star[f], lanes::select(implicit, tangent, star));
         store(&faces.mobility[f],

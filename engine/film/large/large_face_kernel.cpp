@@ -90,13 +90,23 @@ struct LargeFaceRow {
 
     bool is_shut(int x) const { return is_dry(scratch.block, step, block_index(x, y), axis.along); }
 
+    /// At the old velocity, by the mean thickness.
+    Lanes old_viscosity(const FaceNeighbourhood<Lanes>& face) const {
+        const FacePaint<Lanes, kModel> paint = face_paint<kModel>(face, step);
+        if constexpr (!kModel.shear_thinning) return paint.viscosity(step);
+        const Lanes speed = lanes::sqrt(Lanes(face.u * face.u + face.v * face.v));
+        const Lanes mean_mm = Lanes(0.5F) * (face.h_left + face.h_right);
+        return paint.viscosity(step) * relative_viscosity<kModel.yield>(speed, mean_mm,
+                                                                        paint.against_yield(step),
+                                                                        paint.flow_index(step));
+    }
+
     void carry() const {
         for_each_lane_group(first_x, kTileSize, [&](int x) {
             if (is_shut(x)) return;
             const FaceNeighbourhood<Lanes> face = face_at(x);
-            const Lanes viscosity = face_paint<kModel>(face, step).viscosity(step);
+            const Lanes viscosity = old_viscosity(face);
             store(&carried[face_index(x, y)], saturated(carried_velocity(face, viscosity, step), step));
-            store(&faces.old[face_index(x, y)], face.u);
         });
     }
 
@@ -105,17 +115,29 @@ struct LargeFaceRow {
     void drive(bool thinned) const {
         for_each_lane_group(first_x, kTileSize, [&](int x) {
             const int f = face_index(x, y), i = block_index(x, y);
-            if (is_shut(x)) return shut_group(f, load(axis.velocity + i));
+            if (is_shut(x)) return shut_group(f);
             const FaceNeighbourhood<Lanes> face = face_at(x);
+            if (!thinned) store(&faces.first[f], face.u);
             const Lanes gradient =
                 (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
             const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
             const auto shut = load(&faces.drag[f]) < Lanes(0.0F) && load(&faces.depth[f]) == Lanes(0.0F);
             const Lanes across = Lanes(step.gravity_mm_s2) * face.eta_slope_across;
+            if constexpr (kModel.shear_thinning) thin_by(face, along, f);
             drive_faces(face, {load(&carried[f]), gradient, across, along}, f);
             // What is shut stays so when it is assembled again.
             if (thinned && lanes::any(shut)) put_explicit(shut, Lanes(0.0F), Lanes(0.0F), f);
         });
+    }
+
+    /// The velocities that the paint is thinned by. Their whole counts, of which only the part along the
+    /// axis is to be found.
+    [[gnu::always_inline]] void thin_by(const FaceNeighbourhood<Lanes>& face, Lanes along, int f) const {
+        const Lanes along2 = along * along, one(1.0F);
+        const Lanes share = along2 / (along2 + face.v * face.v + Lanes(1e-30F));
+        const Lanes flow_index = face_paint<kModel>(face, step).flow_index(step);
+        store(&faces.velocity[f], along);
+        store(&faces.index[f], one - (one - flow_index) * share);
     }
 
     /// Stores depth, drag and what drives a group of faces; where some are explicit, their flow as well.
@@ -161,8 +183,7 @@ struct LargeFaceRow {
         return lanes::select(remembers, momentum * settled_share<Lanes>(mean, depth), momentum);
     }
 
-    void shut_group(int f, Lanes old) const {
-        store(&faces.old[f], old);
+    void shut_group(int f) const {
         store(&faces.drag[f], Lanes(kExplicit));
         for (auto* values : {&faces.driven, &faces.across, &faces.resistance, &faces.depth, &faces.star,
                              &faces.mobility})
@@ -185,8 +206,28 @@ struct LargeFaceRow {
         carry();
         drive(again);
         const float* pressure = lag + block_index(0, y);
-        const auto answer = again ? answer_row<kModel.yield, true> : answer_row<kModel.yield, false>;
-        return answer(step, pressure, axis.along, first_x, y, faces);
+        if (again)
+            return answer_row<kModel.yield, true, kModel.shear_thinning>(step, pressure, axis.along,
+                                                                         first_x, y, faces);
+        answer_row<kModel.yield, false, kModel.shear_thinning>(step, pressure, axis.along, first_x, y,
+                                                               faces);
+        if (step.has_contact_angle()) forget_first_near_ends();
+        return 0.0F;
+    }
+
+    /// Where the film ends within two cells, what the last pressure would make is no measure: the line
+    /// may have entered a cell since.
+    void forget_first_near_ends() const {
+        const float* h = scratch.block.thickness.data();
+        for_each_lane_group(first_x, kTileSize, [&](int x) {
+            const int f = face_index(x, y), i = block_index(x, y), s = axis.along;
+            const Lanes thinnest = lanes::min(lanes::min(load(h + i - s), load(h + i)),
+                                              lanes::min(load(h + i + s), load(h + i + 2 * s)));
+            const auto inside = thinnest > Lanes(step.wet_mm);
+            if (lanes::all(inside)) return;
+            const auto keeps = inside || load(&faces.drag[f]) < Lanes(0.0F);
+            store(&faces.first[f], lanes::select(keeps, load(&faces.first[f]), Lanes(0.0F)));
+        });
     }
 };
 
@@ -200,7 +241,7 @@ void clear_row(LargeFaces& faces, int y) {
     for (int x = -1; x < kTileSize; ++x) {
         const int f = face_index(x, y);
         shut(faces, f);
-        faces.old[f] = faces.driven[f] = faces.across[f] = faces.resistance[f] = faces.weight[f] = 0.0F;
+        faces.driven[f] = faces.across[f] = faces.resistance[f] = faces.weight[f] = 0.0F;
     }
 }
 

@@ -9,17 +9,25 @@ namespace {
 using grid::kTileSize;
 using Ints = lanes::As<std::int32_t, Lanes>;
 
-/// What moves the paint. Where drag rules and the velocity changes by less than a factor of two in a
-/// step, that is 2/3 of the new and 1/3 of the old one, which lags half a step behind and so makes slow
-/// changes second order in time. Elsewhere it is the new one.
+/// What moves the paint. Where drag rules that is between what the new pressure makes and what the last
+/// one would, which is second order in time where both are alike: the weight of the last one's is half
+/// their ratio, since the new one's lags the more the faster the flow fades. With a yield stress, and at
+/// faces that do not wait for the new pressure, a third of the old velocity counts where they differ by
+/// less than a factor of two: a mean of pressures would make paint creep that is held.
+template <bool kYield>
 [[gnu::always_inline]] inline Lanes carrying_velocity(const StepConstants& step, const LargeFaces& faces,
                                                       int f, Lanes now) {
     const Lanes full(0.5F * step.dt_s * step.dt_s * step.inverse_cell * step.inverse_cell);
-    const Lanes old = load(&faces.old[f]), zero(0.0F);
-    const Lanes size = lanes::abs(now), old_size = lanes::abs(old);
+    const Lanes first = load(&faces.first[f]), zero(0.0F);
+    const Lanes size = lanes::abs(now), first_size = lanes::abs(first);
+    const Lanes ratio = lanes::min(size, first_size) / (lanes::max(size, first_size) + Lanes(1e-30F));
+    const Lanes steady = lanes::select(ratio > Lanes(0.5F), Lanes(1.0F / 3.0F), zero);
+    Lanes weight = steady;
+    if constexpr (!kYield)
+        weight = lanes::select(load(&faces.drag[f]) < zero, steady, Lanes(Lanes(0.5F) * ratio));
     const auto dragged = load(&faces.mobility[f]) < full * load(&faces.depth[f]);
-    const auto steady = old * now > zero && old_size + old_size > size && old_size < size + size;
-    return now + lanes::select(dragged && steady, Lanes(Lanes(1.0F / 3.0F) * (old - now)), zero);
+    const auto blends = dragged && first * now > zero;
+    return now + lanes::select(blends, Lanes(weight * (first - now)), zero);
 }
 
 /// u = u* - (dt/dx) D (p_right - p_left), with dt D h_f / dx = m dx / dt. Paint that a yield stress
@@ -42,7 +50,7 @@ Lanes velocity_row(const StepConstants& step, const float* pressure, bool carryi
             const auto held = load(&faces.resistance[f]) > zero && load(&faces.drag[f]) >= zero;
             now = lanes::select(held && now * drive < zero, zero, now);
         }
-        store(&faces.velocity[f], carrying ? carrying_velocity(step, faces, f, now) : now);
+        store(&faces.velocity[f], carrying ? carrying_velocity<kYield>(step, faces, f, now) : now);
     });
     return largest_mobility;
 }
@@ -165,6 +173,7 @@ void slow_row(const LargeScratch& large, int along, int first_x, int y, LargeFac
     for (int x = first_x; x < kTileSize; ++x) {
         const int f = face_index(x, y), i = window_index(x, y);
         const float share = faces.velocity[f] > 0.0F ? large.share[i] : large.share[i + along];
+        faces.first[f] *= share;
         faces.star[f] *= share;
         faces.mobility[f] *= share;
     }

@@ -584,7 +584,8 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
         gather_quanta(state.thickness, place.columns, place.rows, place.tile_x,
                       worker.tile.block.quanta);
         gather_next(place, cells(&LargeTile::share), large.share);
-        tile.last_pressure = grid::TileBlock<float>::copy_of(tile.pressure.data());
+        if (!place.closed.inside)
+            tile.last_pressure = grid::TileBlock<float>::copy_of(tile.pressure.data());
         worker.tile.large_fluxes = true;
         gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
                       cells(&LargeTile::supply), &worker.tile.supply[block_index(-1, -1)]);

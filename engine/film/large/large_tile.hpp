@@ -41,12 +41,14 @@ inline constexpr std::int32_t kCrowded_quanta = kMaxThickness_quanta / 8;
 
 /// The faces of one direction.
 struct LargeFaces {
-    alignas(64) FaceArray<float> old;         ///< velocity before the step, mm/s
+    alignas(64) FaceArray<float> first;       ///< velocity that the last pressure would make, or
+                                              ///< the old one (carrying_velocity()), mm/s
     alignas(64) FaceArray<float> driven;      ///< with inertia and forces, but for drag and new pressure
     alignas(64) FaceArray<float> across;      ///< velocity along the face, but for drag
     alignas(64) FaceArray<float> drag;        ///< lambda dt; negative at faces that are explicit
     alignas(64) FaceArray<float> resistance;  ///< wall stress in yield stresses per velocity, s/mm; 0
                                               ///< without a yield stress
+    alignas(64) FaceArray<float> index;  ///< d ln(drag)/d ln(velocity); of shear-thinning paint only
     alignas(64) FaceArray<float> depth;       ///< thickness of the film that passes, mm
     alignas(64) FaceArray<float> star;        ///< velocity but for the new pressure, mm/s
     alignas(64) FaceArray<float> mobility;    ///< flux per pressure difference, mm / (mm2/s2)
