@@ -9,8 +9,6 @@
 namespace pastoso::brush {
 namespace {
 
-/// Radii, in cells, up to which a footprint has no edge and from which it has the whole of it.
-constexpr double kSoftRadius_cells = 2.5, kFirmRadius_cells = 3.4;
 /// Half width of the mean over a groove, in cells: of a flat one, and what a slope of 1 at its sides
 /// adds. Steep ones leave dots unless the mean is wide; flat ones would be lost in it.
 constexpr double kFlatGrooveMean_cells = 0.97, kSteepness_cells = 0.72;
@@ -32,9 +30,14 @@ constexpr double kLeastWeight = 1e-6;
 
 using Heights = std::vector<double>;
 
+/// The crown whose footprint has the flatness, mean fourth power of the radius over the square of its
+/// mean square, of 1 - rho^4 and a cell together. The softest has 1.6, the tip's own 64/45.
 double crown_of(double radius_cells) {
-    const double firm = (radius_cells - kSoftRadius_cells) / (kFirmRadius_cells - kSoftRadius_cells);
-    return std::clamp(2.0 * firm - 1.0, -1.0, 1.0);
+    const double tip2 = radius_cells * radius_cells, cell2 = kFirmCellSquare;
+    const double square = 0.375 * tip2 + cell2;
+    const double fourth = 0.2 * tip2 * tip2 + 1.5 * tip2 * cell2 + 1.7 * cell2 * cell2;
+    const double flatness = fourth / (square * square);
+    return 1.0 / (1.0 - std::sqrt(std::max(0.0, 4.0 - 2.5 * flatness))) - 2.0;
 }
 
 double weight(double rho, double crown) {

@@ -6,10 +6,16 @@
 //
 //   w(rho) = (1 - rho^2) (1 + crown rho^2),   R^2 = (3/8 r^2 + k a^2) (6 + 2 crown) / (2 + crown).
 //
-// Its mean square radius is that of 1 - rho^4 on the radius r and of a cell together. Where cells are
-// fine it is 1 - rho^4 (crown 1, k = 0.5), flat on top; where they are coarse (1 - rho^2)^2 (crown -1,
-// k = 0.6), which meets the canvas without an edge that cells could only draw as steps. `share` keeps
-// its sum over the canvas.
+// Its mean square radius is that of 1 - rho^4 on the radius r and of a cell together, and so is its mean
+// fourth power over the square of that,
+//
+//   K = (r^4 / 5 + 3/2 k r^2 a^2 + 17/10 k^2 a^4) / (3/8 r^2 + k a^2)^2,
+//   crown = 1 / (1 - sqrt(4 - 5/2 K)) - 2,   4 - 5/2 K at least 0,
+//
+// where a cell has k = 0.5 and the fourth power of a triangle. The finer cells are, the nearer it comes
+// to 1 - rho^4 (crown 1), flat on top; where the radius is 2.5 cells or less it is (1 - rho^2)^2 (crown
+// -1), which meets the canvas without an edge that cells could only draw as steps. R has k from 0.6
+// (crown -1) to 0.5 (crown 1). `share` keeps its sum over the canvas.
 //
 // It covers 0.64 of a cell in whose middle the tip's own footprint ends, and of others the share
 // min(1, cover w).

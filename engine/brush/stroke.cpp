@@ -21,8 +21,10 @@ constexpr double kPressureSteps = 200.0;
 /// Length of travel after which neighbouring bristles exchange paint.
 constexpr double kWickInterval_mm = 1.0;
 /// A bristle exchanges paint at every second step, for the length of two; its footprint is five steps
-/// long. Even and odd ones take turns, which keeps their marks out of line.
+/// long. Even and odd ones take turns, which keeps their marks out of line. Thin tips, whose turns would
+/// be about as long as a cell and leave a ripple, can afford one at every step.
 constexpr std::uint32_t kTurns = 2;
+constexpr std::size_t kFewBristles = 100;
 /// Paint is ploughed at every second step; at every fourth the ridges got steeper than 45 degrees.
 constexpr std::uint32_t kPloughTurns = 2;
 /// The roundings of ploughed paint, apart from those of the bristles.
@@ -41,7 +43,7 @@ constexpr double kWaver_radii = 0.6;
 
 /// The elements of a knife, side by side, act at every step.
 std::uint32_t turns_of(const Brush& brush) {
-    return brush.tip.rigid ? 1 : kTurns;
+    return brush.tip.rigid || brush.tip.bristles.size() <= kFewBristles ? 1 : kTurns;
 }
 
 /// The elements of a knife wait for each other from one end to the other, and what is thrown away is

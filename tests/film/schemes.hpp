@@ -42,8 +42,9 @@ inline std::vector<Scheme> all_schemes() {
              .options = large_steps,
              .step_in_limits = 50.0,
              .energy_levels = EnergyLevels::Same,
-             // Its equations are met to a thousandth of a cell's thickness and the drag of a yield stress
-             // to half a percent: 5.5e-9 is what a film that runs on by inertia has been seen to gain.
+             // Its equations are met to half a thousandth of a cell's thickness and the drag of a yield
+             // stress to half a percent: 5.5e-9 is what a film that runs on by inertia has been seen to
+             // gain.
              .thin_energy_gain = 2e-8,
              .thin_viscosity_mm2_s = 3.0,
              .random_steps = 30,

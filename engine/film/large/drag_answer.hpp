@@ -54,14 +54,35 @@ template <bool kYield>
 /// keeps it from overshooting, and the flow found stays the law's.
 constexpr float kKeptSlope = 0.25F;
 
+/// The pressure at a row's cell 0 and what that cell holds, and how far from there the next cells are
+/// along the faces' axis and across it.
+struct PressureRow {
+    const float* pressure;
+    const std::int32_t* quanta;
+    std::ptrdiff_t along, across;
+
+    /// What the pressure within the film leaves of a velocity along the faces that is driven by all
+    /// else, mm/s.
+    [[gnu::always_inline]] Lanes drive_across(const StepConstants& step, Lanes driven, int x) const {
+        const lanes::As<std::int32_t, Lanes> wet(
+            static_cast<std::int32_t>(step.wet_mm * static_cast<float>(1.0 / kThicknessQuantum_mm)));
+        const Lanes rise = difference_across<Lanes>(
+            [&](std::ptrdiff_t n) { return load(pressure + x + n); },
+            [&](std::ptrdiff_t n) {
+                return lanes::load<lanes::As<std::int32_t, Lanes>>(quanta + x + n) > wet;
+            },
+            along, across);
+        return driven - Lanes(step.dt_s * step.inverse_cell) * rise;
+    }
+};
+
 /// u = u* - D dt grad p for the faces of a row that are not explicit: the tangent of the drag law at the
-/// velocity w that `pressure` (that of the row's cell 0 and its neighbours, `along` the faces' axis)
-/// leaves of the driving one, u* = F - F' (w - driven) and D = F'. The mobility is dt^2 D h / dx^2. With
-/// `kCompare`, returns by what part a flux of the row's last answer to that pressure differs from what
-/// drag leaves; fluxes of less than 1/50 cell a step count as that much, and a thousandth as nothing.
-/// With `kThinning`, drag is that of the faces' velocities.
+/// velocity w that the pressure leaves of the driving one, u* = F - F' (w - driven) and D = F'. The
+/// mobility is dt^2 D h / dx^2. With `kCompare`, returns by what part a flux of the row's last answer to
+/// that pressure differs from what drag leaves; fluxes of less than 1/50 cell a step count as that much,
+/// and a thousandth as nothing. With `kThinning`, drag is that of the faces' velocities.
 template <bool kYield, bool kCompare, bool kThinning = false>
-float answer_row(const StepConstants& step, const float* pressure, int along, int first_x, int y,
+float answer_row(const StepConstants& step, const PressureRow& row, int first_x, int y,
                  LargeFaces& faces) {
     constexpr float kNegligibleFlux = 0.02F, kNoError = 0.001F;
     const Lanes zero(0.0F), courant(step.dt_s * step.inverse_cell);
@@ -76,13 +97,14 @@ float answer_row(const StepConstants& step, const float* pressure, int along, in
         const Lanes drag = load(&faces.drag[f]);
         const auto implicit = drag >= zero;
         if (!lanes::any(implicit)) return;
-        const Lanes push = courant * (load(pressure + x + along) - load(pressure + x));
+        const Lanes push = courant * (load(row.pressure + x + row.along) - load(row.pressure + x));
         const Lanes driven = load(&faces.driven[f]);
         const Lanes depth = load(&faces.depth[f]);
         const Lanes star = load(&faces.star[f]), mobility = load(&faces.mobility[f]);
         const Lanes velocity = driven - push;
-        DragAnswer answer =
-            drag_answer<kYield>(velocity, load(&faces.across[f]), drag, load(&faces.resistance[f]));
+        Lanes across(0.0F);
+        if constexpr (kYield) across = row.drive_across(step, load(&faces.across[f]), x);
+        DragAnswer answer = drag_answer<kYield>(velocity, across, drag, load(&faces.resistance[f]));
         if constexpr (kCompare) {
             const Lanes flux = star * depth * cells - mobility * push * Lanes(1.0F / step.dt_s);
             const Lanes wrong = lanes::abs(Lanes(answer.flow * depth * cells - flux));

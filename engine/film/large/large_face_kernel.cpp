@@ -83,6 +83,7 @@ struct LargeFaceRow {
     LargeFaces& faces;
     FaceArray<float>& carried;  ///< momentum that arrives, mm/s
     bool& inertial;             ///< set where the old velocity matters for the new one
+    float& fastest_mm_s;        ///< raised to that of the old velocities
 
     FaceNeighbourhood<Lanes> face_at(int x) const {
         return neighbourhood<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y));
@@ -102,12 +103,15 @@ struct LargeFaceRow {
     }
 
     void carry() const {
+        Lanes fastest(0.0F);
         for_each_lane_group(first_x, kTileSize, [&](int x) {
             if (is_shut(x)) return;
             const FaceNeighbourhood<Lanes> face = face_at(x);
             const Lanes viscosity = old_viscosity(face);
             store(&carried[face_index(x, y)], saturated(carried_velocity(face, viscosity, step), step));
+            fastest = lanes::max(fastest, lanes::abs(face.u));
         });
+        fastest_mm_s = lanes::max(fastest_mm_s, lanes::largest(fastest));
     }
 
     /// What drives each face and what resists it. `thinned` takes the flow that thins the paint from the
@@ -122,9 +126,9 @@ struct LargeFaceRow {
                 (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
             const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
             const auto shut = load(&faces.drag[f]) < Lanes(0.0F) && load(&faces.depth[f]) == Lanes(0.0F);
-            const Lanes across = Lanes(step.gravity_mm_s2) * face.eta_slope_across;
             if constexpr (kModel.shear_thinning) thin_by(face, along, f);
-            drive_faces(face, {load(&carried[f]), gradient, across, along}, f);
+            // What pressure drives along the faces is in the answer to it.
+            drive_faces(face, {load(&carried[f]), gradient, Lanes(0.0F), along}, x);
             // What is shut stays so when it is assembled again.
             if (thinned && lanes::any(shut)) put_explicit(shut, Lanes(0.0F), Lanes(0.0F), f);
         });
@@ -140,9 +144,15 @@ struct LargeFaceRow {
         store(&faces.index[f], one - (one - flow_index) * share);
     }
 
+    PressureRow pressure() const {
+        const int first = block_index(0, y);
+        return {lag + first, &scratch.block.quanta[first], axis.along, axis.across};
+    }
+
     /// Stores depth, drag and what drives a group of faces; where some are explicit, their flow as well.
     [[gnu::always_inline]] void drive_faces(const FaceNeighbourhood<Lanes>& face,
-                                            const FaceStart<Lanes>& start, int f) const {
+                                            const FaceStart<Lanes>& start, int x) const {
+        const int f = face_index(x, y);
         const Lanes zero(0.0F), dt(step.dt_s), force(axis.force);
         const auto inside = inside_film<FaceScheme::Large>(face, step);
         const FaceDrive<kModel, Lanes> drive =
@@ -166,7 +176,9 @@ struct LargeFaceRow {
         store(&faces.depth[f], drive.thickness);
         if (lanes::all(inside)) return;
 
-        const Lanes flow = drag_answer<kModel.yield>(drive.driven, drive.across, drag, resistance).flow;
+        Lanes across(0.0F);
+        if constexpr (kModel.yield) across = pressure().drive_across(step, drive.across, x);
+        const Lanes flow = drag_answer<kModel.yield>(drive.driven, across, drag, resistance).flow;
         const auto flows = drive.thickness > zero;
         put_explicit(!inside, drive.thickness,
                      lanes::select(flows, limited_at_end(flow, drive, step), zero), f);
@@ -205,12 +217,10 @@ struct LargeFaceRow {
     float assemble(bool again) const {
         carry();
         drive(again);
-        const float* pressure = lag + block_index(0, y);
         if (again)
-            return answer_row<kModel.yield, true, kModel.shear_thinning>(step, pressure, axis.along,
-                                                                         first_x, y, faces);
-        answer_row<kModel.yield, false, kModel.shear_thinning>(step, pressure, axis.along, first_x, y,
-                                                               faces);
+            return answer_row<kModel.yield, true, kModel.shear_thinning>(step, pressure(), first_x, y,
+                                                                         faces);
+        answer_row<kModel.yield, false, kModel.shear_thinning>(step, pressure(), first_x, y, faces);
         if (step.has_contact_angle()) forget_first_near_ends();
         return 0.0F;
     }
@@ -305,7 +315,8 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
     for (int y = -1; y < kTileSize; ++y) {
         if (y >= first - 1 && y <= last) {
             const LargeFaceRow<kModel> row{
-                scratch, lag, step, y_axis, 0, y, tile.y, scratch.velocity_y, tile.inertial};
+                scratch,          lag, step, y_axis, 0, y, tile.y, scratch.velocity_y, tile.inertial,
+                tile.fastest_mm_s};
             error = lanes::max(error, row.assemble(again));
             weights(scratch, step, 0, y, kBlockStride, 1, scratch.ends.normal_y.data(), tile.y.weight);
         } else {
@@ -313,7 +324,8 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
         }
         if (y >= first && y <= last && y >= 0) {
             const LargeFaceRow<kModel> row{
-                scratch, lag, step, x_axis, -1, y, tile.x, scratch.velocity_x, tile.inertial};
+                scratch,          lag, step, x_axis, -1, y, tile.x, scratch.velocity_x, tile.inertial,
+                tile.fastest_mm_s};
             error = lanes::max(error, row.assemble(again));
             weights(scratch, step, -1, y, 1, kBlockStride, scratch.ends.normal_x.data(), tile.x.weight);
         } else {
@@ -428,6 +440,7 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
                           TileScratch& scratch, LargeTile& tile) {
     const RestPressure rest(step, scratch);
     tile.inertial = false;
+    tile.fastest_mm_s = 0.0F;
     tile.crowded = is_crowded(scratch.block);
     if (rest.wet) prepare_pressure(step, scratch);
     BlockArray<float>& lag = large.lagged_pressure;

@@ -18,9 +18,12 @@ constexpr int kMostRefinements = 6;
 /// The same where paint is solved closely.
 constexpr float kSteadyCloseFlux = 0.005F;
 constexpr int kMostCloseRefinements = 40;
+/// How far paint that creeps goes in a step, at most, and how long that is: longer ones are of paint
+/// that waited, and too few for their errors to sum up.
+constexpr float kCreep_cells = 0.01F, kCreepingStep_s = 0.017F;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
-constexpr float kCloseTolerance = 0.001F;
+constexpr float kCloseTolerance = 0.0005F;
 /// What a sweep leaves of the error, at most, where the overlap does its work.
 constexpr float kSweepGain = 0.1F;
 constexpr int kMostSweeps = 12;
@@ -158,9 +161,15 @@ struct LargeStepper::Pass {
     }
     LargeTile& tile_of(const TilePlace& place) const { return *stepper.tiles_[place.tile]; }
 
-    /// Where an error stays: in inertial paint as energy, and in a long step as much as a short one
-    /// makes in the time of many.
-    bool is_solved_closely(const LargeTile& tile) const { return tile.inertial || constants.unhurried; }
+    /// Where an error stays: in inertial paint as energy, in a long step as much as a short one makes in
+    /// the time of many, and in paint that creeps since a yield stress lets nothing flow back.
+    bool is_solved_closely(const LargeTile& tile) const {
+        return tile.inertial || constants.unhurried || is_creeping(tile);
+    }
+    bool is_creeping(const LargeTile& tile) const {
+        return (constants.has_yield() || constants.varied) && constants.dt_s < kCreepingStep_s &&
+               tile.fastest_mm_s * constants.dt_s < kCreep_cells * constants.cell_mm;
+    }
     float tolerance_of(const LargeTile& tile) const {
         return is_solved_closely(tile) ? kCloseTolerance : kTolerance;
     }
@@ -205,6 +214,13 @@ struct LargeStepper::Pass {
     auto thickness_rows() const {
         return [this](int tile_x, int tile_y, int y) {
             return state.thickness.read(tile_y * state.shape.tiles_x() + tile_x) + y * kTileSize;
+        };
+    }
+    /// None of those that do not take part, whose pressure nobody knows.
+    auto partners_thickness() const {
+        return [this](int tile_x, int tile_y, int y) -> const std::int32_t* {
+            if (partner(tile_x, tile_y) == nullptr) return nullptr;
+            return thickness_rows()(tile_x, tile_y, y);
         };
     }
     auto faces(LargeFaces LargeTile::*direction, FaceArray<float> LargeFaces::*field) const {
@@ -277,7 +293,10 @@ float LargeStepper::Pass::assemble(const TilePlace& place, bool again, LargeTile
 /// Takes a tile's drag from the pressure found. Returns by what part a flux was wrong.
 float LargeStepper::Pass::refine(const TilePlace& place, LargeTile& tile, LargeScratch& large,
                                  WorkerScratch& worker) const {
-    if (!constants.is_shear_thinning()) return kernels.refine(constants, large, tile);
+    if (!constants.is_shear_thinning()) {
+        gather_next(place, partners_thickness(), large.thickness);
+        return kernels.refine(constants, large, tile);
+    }
     kernels.velocities(constants, false, large, tile);
     return assemble(place, true, tile, large, worker);
 }

@@ -44,7 +44,7 @@ struct LargeFaces {
     alignas(64) FaceArray<float> first;       ///< velocity that the last pressure would make, or
                                               ///< the old one (carrying_velocity()), mm/s
     alignas(64) FaceArray<float> driven;      ///< with inertia and forces, but for drag and new pressure
-    alignas(64) FaceArray<float> across;      ///< velocity along the face, but for drag
+    alignas(64) FaceArray<float> across;      ///< the same along the face
     alignas(64) FaceArray<float> drag;        ///< lambda dt; negative at faces that are explicit
     alignas(64) FaceArray<float> resistance;  ///< wall stress in yield stresses per velocity, s/mm; 0
                                               ///< without a yield stress
@@ -72,6 +72,7 @@ struct LargeTile {
     alignas(64) CellArray supply;          ///< what a cell holds over what leaves it in the step
     float largest_mobility = 0.0F;         ///< of its faces
     float flux_error = 0.0F;               ///< by what part its last drag got a flux wrong
+    float fastest_mm_s = 0.0F;             ///< the largest velocity before the step
     bool inertial = false;  ///< the old velocity of some of its paint matters for the new one
     bool crowded = false;   ///< the same: a cell, or one of its margin, has more than kCrowded_quanta
     LargeTileState state;
