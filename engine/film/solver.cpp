@@ -337,9 +337,10 @@ bool Solver::Parts::step_group(double seconds, const std::function<bool()>& canc
     while (remaining > 0.0 && !activity.stepping_tiles().empty()) {
         if (cancelled()) return false;
         follow_media();
-        const StepPlan next = plan_step({state, activity, limits, air, density_kg_m3, is_mixed(),
-                                         is_varied(), constants.media, pool},
-                                        options, remaining);
+        const StepPlan next =
+            plan_step({state, activity, limits, air, density_kg_m3, is_mixed(), is_varied(),
+                       constants.media && tensions_differ(state.media.numbers), pool},
+                      options, remaining);
         // A remainder of one part in a million is rounding, not a step of its own.
         const double steps_left = std::max(1.0, std::ceil(remaining / next.step_s - 1e-6));
         const double dt_s = remaining / steps_left;

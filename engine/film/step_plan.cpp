@@ -174,9 +174,9 @@ double unhurried_step_s(const PlannedFilm& film, double hurried_s) {
     return std::max(hurried_s, kUnhurriedCourant * film.state.cell_mm / (speed_mm_s + 1e-30));
 }
 
-/// What the pull of tension has made of the paint in the last step, where there are several media.
+/// What the pull of tension has made of the paint in the last step.
 double fastest_pulled_speed_mm_s(const PlannedFilm& film) {
-    if (!film.media) return 0.0;
+    if (!film.pulled) return 0.0;
     double speed_mm_s = 0.0;
     for (const int tile : film.activity.stepping_tiles())
         speed_mm_s =

@@ -18,7 +18,8 @@ struct PlannedFilm {
     const StepLimits& limits;
     const std::vector<AirJet>& air;
     double density_kg_m3;
-    bool mixed, varied, media;  ///< as of StepConstants
+    bool mixed, varied;  ///< as of StepConstants
+    bool pulled;         ///< where tension differs, it pulls paint along
     core::ThreadPool& pool;
 };
 

@@ -96,6 +96,12 @@ FilmNumbers bounds_of(const std::vector<FilmNumbers>& media) {
     return bounds;
 }
 
+bool tensions_differ(const std::vector<FilmNumbers>& media) {
+    return std::any_of(media.begin(), media.end(), [&](const FilmNumbers& medium) {
+        return medium.surface_tension_N_m != media.front().surface_tension_N_m;
+    });
+}
+
 void check_medium(const Medium& medium) {
     PASTOSO_CHECK_OP(medium.density_kg_m3, >, 0.0);
     PASTOSO_CHECK_OP(medium.viscosity_m2_s, >, 0.0);

@@ -20,6 +20,7 @@ CellNumbers<float> cell_numbers(const FilmNumbers& numbers, double cell_mm);
 /// Numbers for what a step over several media asks of all of them: with those no step is too long for
 /// one, and no term is left out that one has. An advancing angle of 0 only if all have it.
 FilmNumbers bounds_of(const std::vector<FilmNumbers>& media);
+bool tensions_differ(const std::vector<FilmNumbers>& media);
 
 /// What bounds the length of a step in a medium.
 StepLimits make_limits(const Medium& medium, const Gravity& gravity, double cell_mm);
