@@ -22,7 +22,7 @@ void add_validate(CLI::App& program, ValidateOptions& options) {
     add_quiet_flag(command, options.quiet);
     command.footer(
         "docs/physics.md tells what came out.\n"
-        "Example:\n  pastoso-cli validate nusselt-film huppert-slope -o validation");
+        "Example:\n  pastoso-cli validate nusselt-film slope-current -o validation");
 }
 
 }  // namespace pastoso::cli
