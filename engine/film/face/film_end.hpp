@@ -42,12 +42,13 @@ struct FilmEnd {
 
 /// Integrals of the wedge q - n . x over a unit cell, x from its inner corner and n = (a, b), q up to
 /// a + b: with (.)+ the positive part,
-///     (q^m - (q - a)+^m - (q - b)+^m) / (m! a b)   for m = 2, 3, 4.
+///     (q^m - (q - a)+^m - (q - b)+^m) / (m! a b)   for m = 2, 3, 4, 5.
 template <class F>
 struct Wedge {
     F area;         ///< m = 2: of the cell's part that is covered
     F volume;       ///< m = 3: under a slope of 1
     F bend_volume;  ///< m = 4: under half the wedge's square
+    F rise_volume;  ///< m = 5: under a sixth of its cube
 };
 template <class F>
 PASTOSO_LANE_FUNCTION Wedge<F> wedge(F q, F a, F b) {
@@ -56,7 +57,8 @@ PASTOSO_LANE_FUNCTION Wedge<F> wedge(F q, F a, F b) {
     const F q2 = q * q, p2 = p * p, r2 = r * r;
     const F scale = F(0.5F) / (a * b);
     return {scale * (q2 - (p2 + r2)), F(1.0F / 3.0F) * scale * (q2 * q - (p2 * p + r2 * r)),
-            F(1.0F / 12.0F) * scale * (q2 * q2 - (p2 * p2 + r2 * r2))};
+            F(1.0F / 12.0F) * scale * (q2 * q2 - (p2 * p2 + r2 * r2)),
+            F(1.0F / 60.0F) * scale * (q2 * q2 * q - (p2 * p2 * p + r2 * r2 * r))};
 }
 
 /// The film inside, seen from a cell along the outline's normal, one and two cells further along the
@@ -97,23 +99,39 @@ PASTOSO_LANE_FUNCTION FilmInside<F> film_inside(const Thickness& thickness, F no
             .far_mean = below_arch(far_aside)};
 }
 
-/// The surface h = s x - k x^2 / 2 over the support, x the distance from the contact line.
+/// The surface over the support, x the distance from the contact line: that of a film whose weight and
+/// tension are in balance, l^2 = sigma/(rho g),
+///     h = s l sinh(x/l) - k l^2 (cosh(x/l) - 1),
+/// a parabola near the line, by two terms of each.
 template <class F>
 struct EndProfile {
     F slope, bend;  ///< s and k, mm
 };
-/// Through the film inside, when `near` is x away from the line. Straight where there is too little film
-/// to bend; a bend beyond that of drops that are a few cells wide is noise.
+/// What a slope of 1 makes of the mean thickness that is found at x, and what a bend of 1 takes.
 template <class F>
-PASTOSO_LANE_FUNCTION EndProfile<F> end_profile(const FilmInside<F>& inside, F x, F wet_mm) {
-    const F half(0.5F), zero(0.0F);
-    const F far_x = x + inside.distance;
-    const F y = half * x * x + inside.near_mean, far_y = half * far_x * far_x + inside.far_mean;
-    const F bend = (inside.near * far_x - inside.far * x) / (x * far_y - far_x * y);
-    const F most = F(0.4F) * inside.near / (x * x);
+struct EndShape {
+    F rise, fall;
+};
+/// `mean` as of FilmInside; `weight` is 1/l^2.
+template <class F>
+PASTOSO_LANE_FUNCTION EndShape<F> end_shape(F x, F mean, F weight) {
+    const F half(0.5F), one(1.0F), x2 = x * x;
+    return {x + weight * x * (F(1.0F / 6.0F) * x2 + mean),
+            x2 * (half + weight * x2 * F(1.0F / 24.0F)) + mean * (one + half * weight * x2)};
+}
+/// Through the film inside, when `near` is x away from the line. Straight where there is too little film
+/// to bend; a bend beyond that of drops that are a few cells wide, and of what weighs there, is noise.
+template <class F>
+PASTOSO_LANE_FUNCTION EndProfile<F> end_profile(const FilmInside<F>& inside, F x, F weight, F wet_mm) {
+    const F zero(0.0F);
+    const EndShape<F> near = end_shape(x, inside.near_mean, weight);
+    const EndShape<F> far = end_shape(F(x + inside.distance), inside.far_mean, weight);
+    const F bend = (inside.near * far.rise - inside.far * near.rise) /
+                   (near.rise * far.fall - far.rise * near.fall);
+    const F most = F(0.4F) * inside.near / (x * x) + weight * inside.far;
     const auto bends = inside.near > wet_mm && inside.far > wet_mm;
     const F k = lanes::select(bends, lanes::clamp(bend, F(-most), most), zero);
-    return {(inside.near + k * y) / x, k};
+    return {(inside.near + k * near.fall) / near.rise, k};
 }
 
 /// What the search for the contact line goes by: how far the wedge that the film fills of the cell
@@ -121,15 +139,20 @@ PASTOSO_LANE_FUNCTION EndProfile<F> end_profile(const FilmInside<F>& inside, F x
 template <class F>
 struct EndSearch {
     FilmInside<F> inside;
-    F a, b, filled, thickness_mm, wet_mm;
+    F a, b, filled, thickness_mm, weight, wet_mm;
 
     F way(F q) const { return inside.distance + (q - F(0.5F) * filled); }
-    EndProfile<F> profile(F q) const { return end_profile(inside, way(q), wet_mm); }
+    EndProfile<F> profile(F q) const { return end_profile(inside, way(q), weight, wet_mm); }
+    /// What a film of slope 1 holds there.
+    F under_slope(const Wedge<F>& covered) const {
+        return covered.volume + weight * covered.rise_volume;
+    }
     /// What the cell holds more than the film that reaches so far would.
     F over(F q) const {
         const EndProfile<F> surface = profile(q);
         const Wedge<F> covered = wedge(q, a, b);
-        return thickness_mm - (surface.slope * covered.volume - surface.bend * covered.bend_volume);
+        return thickness_mm -
+               (surface.slope * under_slope(covered) - surface.bend * covered.bend_volume);
     }
     /// Newton's method with the slope that the film has now, from outside: the wedge's volume is convex.
     F reach() const {
@@ -144,11 +167,18 @@ struct EndSearch {
     }
 };
 
+/// 1/l^2 in cells, l the capillary length; of one that is shorter than a cell nothing is seen.
+inline float end_weight(const StepConstants& step) {
+    const float balance = step.tension * step.inverse_cell * step.inverse_cell;
+    if (balance <= 0.0F) return 0.0F;
+    return lanes::min(1.0F, step.gravity_mm_s2 / balance);
+}
+
 /// Of what lies too far out a step shall take at most all, and a large one lets a quarter of a cell
 /// through.
 inline constexpr float kStepsOver = 4.0F;
 
-/// Finds the contact line: where the parabola that holds the paint of the cell and of the film inside
+/// Finds the contact line: where the surface that holds the paint of the cell and of the film inside
 /// meets the support. Where the film fills the cell, the line is at its outer corner. `thickness(i, j)`
 /// as for outline_normal(), |i|, |j| <= 2; `tan_advancing` is the paint's.
 template <class F, class Thickness>
@@ -166,17 +196,22 @@ PASTOSO_LANE_FUNCTION FilmEnd<F> film_end(const Thickness& thickness, F tan_adva
     if (!lanes::any(ends)) return {one, one, zero, zero, zero, one, zero, zero, zero, zero, zero};
     const OutlineNormal<F> normal = outline_normal<F>(thickness);
     const F a = lanes::max(lanes::abs(normal.x), least), b = lanes::max(lanes::abs(normal.y), least);
-    const EndSearch<F> search{film_inside(thickness, normal.x, normal.y), a, b, a + b, h, wet};
+    const EndSearch<F> search{
+        film_inside(thickness, normal.x, normal.y), a, b, a + b, h, F(end_weight(step)), wet};
     const F filled = search.filled;
     const auto partly = ends && search.inside.near > h && search.over(filled) < zero;
     const F q = lanes::select(partly, search.reach(), filled);
     const EndProfile<F> surface = search.profile(q);
     const Wedge<F> covered = wedge(q, a, b);
-    const F contact_slope = lanes::select(partly, surface.slope,
-                                          F((h + surface.bend * covered.bend_volume) / covered.volume));
-    const F entering = surface.slope - surface.bend * (search.way(q) - half * search.inside.distance);
+    const F contact_slope =
+        lanes::select(partly, surface.slope,
+                      F((h + surface.bend * covered.bend_volume) / search.under_slope(covered)));
+    const F inner = search.way(q) - half * search.inside.distance;
+    const F entering = surface.slope * (one + half * search.weight * inner * inner) -
+                       surface.bend * inner * (one + F(1.0F / 6.0F) * search.weight * inner * inner);
     const F mean = search.inside.near / search.way(q);
-    const F descent = surface.slope - surface.bend * covered.volume / covered.area;
+    const F descent = surface.slope * (one + search.weight * covered.bend_volume / covered.area) -
+                      surface.bend * covered.volume / covered.area;
     const F far_a = lanes::max(F(q - a), zero), far_b = lanes::max(F(q - b), zero);
     const F excess = lanes::max(F(contact_slope - tan_advancing * cell), zero);
     const F movable = F(kStepsOver) * excess * search.way(q);
