@@ -100,14 +100,7 @@ TEST(BrushMedia, AreTheSameOnAnyNumberOfThreads) {
         film::FilmState film = wet_film();
         Brush brush = loaded(find_preset("Flat bristle 20"), kLaid);
         Stroke stroke(brush, film, {}, {}, nullptr, pool);
-        PenSample sample = kAcross(0.0);
-        stroke.begin(sample);
-        for (int i = 1; i <= 100; ++i) {
-            sample = kAcross(0.01 * i);
-            sample.time_s = 0.01 * i;
-            stroke.add(sample);
-        }
-        stroke.end();
+        studio::paint(stroke, kAcross, 100.0);
         EXPECT_TRUE(film.media.are_several());
         return film::state_hash(film);
     };

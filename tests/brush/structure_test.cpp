@@ -52,15 +52,7 @@ TEST(StructureStroke, StaysWithinASelection) {
     Brush brush(studio::flat_preset(12.0), 3);
     brush.load(oil("PW6"), 1.0);
     Stroke stroke(brush, film, {}, {}, &chosen);
-    const auto movement = studio::line(6.0, 15.0, 54.0, 15.0, 0.6, 90.0);
-    PenSample sample = movement(0.0);
-    stroke.begin(sample);
-    for (int i = 1; i <= 100; ++i) {
-        sample = movement(0.01 * i);
-        sample.time_s = 0.01 * i;
-        stroke.add(sample);
-    }
-    stroke.end();
+    studio::paint(stroke, studio::line(6.0, 15.0, 54.0, 15.0, 0.6, 90.0), 100.0);
     EXPECT_TRUE(film.worked.is_anywhere());
     for (int y = 0; y < film.shape.height; ++y)
         for (int x = 0; x < film.shape.width; ++x)

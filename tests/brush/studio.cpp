@@ -139,6 +139,10 @@ Movement line(double x0_mm, double y0_mm, double x1_mm, double y1_mm, double pre
 void paint(Brush& brush, film::FilmState& film, const Movement& movement, double rate_Hz,
            double duration_s) {
     Stroke stroke(brush, film);
+    paint(stroke, movement, rate_Hz, duration_s);
+}
+
+void paint(Stroke& stroke, const Movement& movement, double rate_Hz, double duration_s) {
     const auto count = static_cast<int>(std::lround(rate_Hz * duration_s));
     for (int i = 0; i <= count; ++i) {
         const double t = static_cast<double>(i) / count;

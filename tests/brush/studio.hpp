@@ -8,6 +8,10 @@
 
 #include <functional>
 
+namespace pastoso::brush {
+class Stroke;
+}
+
 namespace pastoso::brush::studio {
 
 /// An empty linen canvas.
@@ -45,6 +49,9 @@ Movement line(double x0_mm, double y0_mm, double x1_mm, double y1_mm, double pre
 /// One stroke of `duration_s` sampled at `rate_Hz`.
 void paint(Brush& brush, film::FilmState& film, const Movement& movement, double rate_Hz = 250.0,
            double duration_s = 1.0);
+
+/// The same with a stroke that has not begun.
+void paint(Stroke& stroke, const Movement& movement, double rate_Hz = 250.0, double duration_s = 1.0);
 
 /// All paint on the canvas.
 Contents contents(const film::FilmState& film);

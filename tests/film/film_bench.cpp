@@ -1,5 +1,6 @@
 #include "film/film_bench.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pastoso::film::test {
@@ -42,6 +43,14 @@ void Bench::tint(int channel, const std::function<double(int, int)>& per_mm) {
                 static_cast<std::int32_t>(std::lround(per_mm(x, y) * h(x, y) / kPaintQuantum));
             state.paint.set(x, y, cell);
         }
+}
+
+double Bench::largest_difference(const std::function<double(int, int)>& thickness) const {
+    double largest = 0.0;
+    for (int y = 0; y < setup.height; ++y)
+        for (int x = 0; x < setup.width; ++x)
+            largest = std::max(largest, std::abs(h(x, y) - thickness(x, y)));
+    return largest;
 }
 
 void Bench::carry_consistency() {

@@ -25,6 +25,8 @@ class Bench : public validation::Bench {
 
     /// Sets one pigment channel to a concentration (per mm) everywhere.
     void tint(int channel, const std::function<double(int x, int y)>& per_mm);
+    /// The largest |h - thickness| of all cells, mm.
+    double largest_difference(const std::function<double(int x, int y)>& thickness_mm) const;
     /// Lets every cell carry the scene's viscosity and yield stress, as painted paint does.
     void carry_consistency();
 };

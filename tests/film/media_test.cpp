@@ -182,12 +182,8 @@ TEST_P(Media, OfOneKindFlowAsThatKindAlone) {
     mix_in(mixed, same, [](int x, int y) { return (3 * x + 5 * y) % 7 / 6.0; });
     alone.pass(0.25);
     mixed.pass(0.25);
-    double largest = 0.0, moved = 0.0;
-    for (int y = 0; y < 70; ++y)
-        for (int x = 0; x < 70; ++x) {
-            largest = std::max(largest, std::abs(alone.h(x, y) - mixed.h(x, y)));
-            moved = std::max(moved, std::abs(alone.h(x, y) - drop(x, y)));
-        }
+    const double moved = alone.largest_difference(drop);
+    const double largest = alone.largest_difference([&](int x, int y) { return mixed.h(x, y); });
     EXPECT_GT(moved, 0.2);
     // The thinning law for n = 1 is right to 1e-6; what a line lets through depends on a threshold.
     EXPECT_LT(largest, 0.01 * moved);

@@ -107,12 +107,8 @@ TEST(VariedPaint, OfOneKindFlowsAsUniformPaint) {
         varied, [](int, int) { return 40.0; }, [](int, int) { return 60.0; });
     uniform.run(0.001, 0.5);
     varied.run(0.001, 0.5);
-    double largest = 0.0, moved = 0.0;
-    for (int y = 0; y < 70; ++y)
-        for (int x = 0; x < 70; ++x) {
-            largest = std::max(largest, std::abs(uniform.h(x, y) - varied.h(x, y)));
-            moved = std::max(moved, std::abs(uniform.h(x, y) - drop_height(x, y)));
-        }
+    const double moved = uniform.largest_difference(drop_height);
+    const double largest = uniform.largest_difference([&](int x, int y) { return varied.h(x, y); });
     EXPECT_GT(moved, 0.2);
     // Rounding of what thin edges carry lets the front take a cell a little later: 0.4 % here.
     EXPECT_LT(largest, 0.01 * moved);

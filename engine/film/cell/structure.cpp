@@ -15,9 +15,6 @@ namespace {
 using grid::kTileCells;
 using Block = grid::TileBlock<std::int32_t>;
 
-/// A smaller part of the cell's paint is too little to follow: 2^-14.
-constexpr int kLeastShareBits = 14;
-
 std::vector<int> worked_tiles(const WorkedPaint& worked) {
     std::vector<int> tiles;
     for (int tile = 0; tile < worked.thickness.tile_count(); ++tile)
@@ -52,7 +49,7 @@ Block recovered(const std::int32_t* worked, const std::int32_t* thickness, const
     for (int cell = 0; cell < kTileCells; ++cell) {
         const std::int32_t part = std::min(worked[cell], thickness[cell]);
         const auto rest = static_cast<std::int32_t>(static_cast<float>(part) * left(cell));
-        out[cell] = rest > thickness[cell] >> kLeastShareBits ? rest : 0;
+        out[cell] = rest > thickness[cell] >> kTraceBits ? rest : 0;
     }
     return block;
 }

@@ -1,11 +1,12 @@
 #include "film/cell/wet_media.hpp"
 
-#include "core/check.hpp"
+#include "film/cell/tile_quanta.hpp"
 #include "film/state.hpp"
 
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pastoso::film {
@@ -13,9 +14,6 @@ namespace {
 
 using grid::kTileCells;
 using Media = std::bitset<kMostMedia>;
-
-/// A smaller part of a cell's paint is a trace: 2^-14.
-constexpr int kTraceBits = 14;
 
 bool holds_any(const MediaCell& cell) {
     return std::any_of(cell.begin(), cell.end(), [](std::int32_t amount) { return amount != 0; });
@@ -121,23 +119,24 @@ int add_medium(FilmState& state, const FilmNumbers& medium) {
 double mixed_number(const FilmState& state, int tile, int cell, double FilmNumbers::*number) {
     const WetMedia& media = state.media;
     const std::int32_t thickness = state.thickness.read(tile)[cell];
-    double rest = thickness, sum = 0.0;
-    for (std::size_t k = 0; k < media.numbers.size(); ++k) {
-        const std::int32_t amount = media.foreign.read(tile)[cell][k];
-        rest -= amount;
-        sum += amount * (media.numbers[k].*number);
-    }
-    const double own = media.numbers[media.own[tile]].*number;
-    return thickness > 0 ? (sum + std::max(rest, 0.0) * own) / thickness : own;
+    if (thickness <= 0) return media.numbers[media.own[tile]].*number;
+    const MediaCell amounts = media_in(state, tile, cell);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < media.numbers.size(); ++k)
+        sum += amounts[k] * (media.numbers[k].*number);
+    return sum / thickness;
+}
+
+MediaCell all_media(const MediaCell& foreign, int own, std::int32_t thickness) {
+    MediaCell amounts = foreign;
+    const std::int32_t told = std::accumulate(foreign.begin(), foreign.end(), 0);
+    amounts[own] = std::max(thickness - told, 0);
+    return amounts;
 }
 
 MediaCell media_in(const FilmState& state, int tile, int cell) {
-    MediaCell amounts = state.media.foreign.read(tile)[cell];
-    std::int32_t rest = state.thickness.read(tile)[cell];
-    for (const std::int32_t amount : amounts)
-        rest -= amount;
-    amounts[state.media.own[tile]] = std::max(rest, 0);
-    return amounts;
+    return all_media(state.media.foreign.read(tile)[cell], state.media.own[tile],
+                     state.thickness.read(tile)[cell]);
 }
 
 void set_media(FilmState& state, int tile, grid::TileBlock<MediaCell> amounts) {

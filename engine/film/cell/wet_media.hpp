@@ -40,7 +40,9 @@ struct WetMedia {
 /// The index of a medium among those of the film, which it may be new to.
 int add_medium(FilmState& state, const FilmNumbers& medium);
 
-/// All that a cell holds, by the media's places.
+/// All that a cell of this thickness holds, by the media's places: its foreign media, and of the tile's
+/// own the rest.
+MediaCell all_media(const MediaCell& foreign, int own, std::int32_t thickness);
 MediaCell media_in(const FilmState& state, int tile, int cell);
 
 /// Says what the cells of a tile hold, all media told: the one of which there is most is the tile's own.

@@ -1,5 +1,7 @@
 #include "film/explicit/concentration_block.hpp"
 
+#include "film/explicit/halo_runs.hpp"
+
 #include <algorithm>
 
 namespace pastoso::film {
@@ -33,22 +35,10 @@ void clear(int index, int count, Concentrations& out) {
 
 void gather_row(const FilmState& state, const HaloMap& columns, const HaloSource& row, int y, int tile_x,
                 Concentrations& out) {
-    const int first_tile = row.tile * state.shape.tiles_x();
-    const auto fill = [&](int tile, int cell, int count, int x) {
-        concentrate(state, tile, row.cell * kTileSize + cell, count, x, y, out);
-    };
-    fill(first_tile + tile_x, 0, columns.extent, 0);
-    const auto one_cell = [&](int x) {
-        const HaloSource& column = columns.cells[x + kHalo];
-        if (column.outside)
-            clear(concentration_index(x, y), 1, out);
-        else
-            fill(first_tile + column.tile, column.cell, 1, x);
-    };
-    for (int x = -kConcentrationHalo; x < 0; ++x)
-        one_cell(x);
-    for (int x = columns.extent; x < columns.extent + kConcentrationHalo; ++x)
-        one_cell(x);
+    for_each_run(
+        state.shape.tiles_x(), columns, row, tile_x, kConcentrationHalo,
+        [&](int tile, int cell, int x, int count) { concentrate(state, tile, cell, count, x, y, out); },
+        [&](int x) { clear(concentration_index(x, y), 1, out); });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "film/explicit/numbers_block.hpp"
 
+#include "film/explicit/halo_runs.hpp"
 #include "film/step_setup.hpp"
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 
 namespace pastoso::film {
 namespace {
-
-using grid::kTileSize;
 
 /// Arrays to be filled, and the value of each medium for each.
 struct NumberTable {
@@ -21,12 +20,8 @@ struct NumberTable {
     }
     /// The means over what a cell holds, by volume.
     void put_mixture(const MediaCell& foreign, int own, std::int32_t thickness, int i) const {
-        std::int32_t rest = thickness;
-        for (const std::int32_t amount : foreign)
-            rest -= amount;
-        if (rest == thickness) return put(own, i, 1);
-        MediaCell amounts = foreign;
-        amounts[own] = std::max(rest, 0);
+        const MediaCell amounts = all_media(foreign, own, thickness);
+        if (amounts[own] == thickness) return put(own, i, 1);
         float whole = 0.0F;
         for (std::size_t k = 0; k < media.size(); ++k)
             whole += static_cast<float>(amounts[k]);
@@ -52,37 +47,21 @@ NumberTable table_of(const FilmState& state, CellNumbers<BlockArray<float>>& num
     return table;
 }
 
-/// Calls visit(tile, cell, x, count) for the runs of a row's cells that lie in one tile, `margin` cells
-/// on both sides of the tile's own.
-template <class Visit>
-void for_each_run(const FilmState& state, const HaloMap& columns, const HaloSource& row, int tile_x,
-                  int margin, const Visit& visit) {
-    const int first_tile = row.tile * state.shape.tiles_x(), first_cell = row.cell * kTileSize;
-    visit(first_tile + tile_x, first_cell, 0, columns.extent);
-    const auto beside = [&](int x) {
-        const HaloSource& column = columns.cells[x + kHalo];
-        if (!column.outside) visit(first_tile + column.tile, first_cell + column.cell, x, 1);
-    };
-    for (int x = -margin; x < 0; ++x)
-        beside(x);
-    for (int x = columns.extent; x < columns.extent + margin; ++x)
-        beside(x);
-}
-
 void gather(const NumberTable& table, const FilmState& state, const HaloMap& columns,
             const HaloMap& rows, int tile_x) {
     table.put(0, 0, kBlockCells);
     for (int y = -kHalo; y < rows.extent + kHalo; ++y) {
         const HaloSource& row = rows.cells[y + kHalo];
         if (row.outside) continue;
-        for_each_run(state, columns, row, tile_x, kHalo, [&](int tile, int cell, int x, int count) {
-            const int own = state.media.own[tile], i = block_index(x, y);
-            if (!state.media.is_mixed(tile)) return table.put(own, i, count);
-            const MediaCell* foreign = state.media.foreign.read(tile) + cell;
-            const std::int32_t* thickness = state.thickness.read(tile) + cell;
-            for (int k = 0; k < count; ++k)
-                table.put_mixture(foreign[k], own, thickness[k], i + k);
-        });
+        for_each_run(state.shape.tiles_x(), columns, row, tile_x, kHalo,
+                     [&](int tile, int cell, int x, int count) {
+                         const int own = state.media.own[tile], i = block_index(x, y);
+                         if (!state.media.is_mixed(tile)) return table.put(own, i, count);
+                         const MediaCell* foreign = state.media.foreign.read(tile) + cell;
+                         const std::int32_t* thickness = state.thickness.read(tile) + cell;
+                         for (int k = 0; k < count; ++k)
+                             table.put_mixture(foreign[k], own, thickness[k], i + k);
+                     });
     }
 }
 
@@ -92,14 +71,8 @@ void concentrate(const MediaCell& foreign, int its_own, std::int32_t thickness, 
     constexpr float kShare = 1.0F - 0x1p-20F;
     std::fill_n(out, kMostMedia, 0.0F);
     if (thickness <= 0) return;
-    MediaCell amounts = foreign;
-    if (its_own != own) {
-        std::int32_t rest = thickness;
-        for (const std::int32_t amount : foreign)
-            rest -= amount;
-        amounts[its_own] = std::max(rest, 0);
-        amounts[own] = 0;
-    }
+    MediaCell amounts = all_media(foreign, its_own, thickness);
+    amounts[own] = 0;
     for (int k = 0; k < kMostMedia; ++k)
         out[k] =
             static_cast<float>(std::max(amounts[k] - 2, 0)) * (kShare / static_cast<float>(thickness));
@@ -113,7 +86,9 @@ void gather_numbers(const FilmState& state, const HaloMap& columns, const HaloMa
 }
 
 void gather_number(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
-                   double FilmNumbers::*number, BlockArray<float>& out) {
+                   double FilmNumbers::*number, float of_all, const StepConstants& step,
+                   BlockArray<float>& out) {
+    if (!step.media) return out.fill(of_all);
     NumberTable table{{&out}, {}};
     for (const FilmNumbers& medium : state.media.numbers)
         table.media.push_back({static_cast<float>(medium.*number)});
@@ -138,7 +113,7 @@ bool gather_media(const FilmState& state, const HaloMap& columns, const HaloMap&
                             state.thickness.read(from)[cell + k], own,
                             concentrations + concentration_index(x + k, y));
         };
-        for_each_run(state, columns, row, tile_x, kConcentrationHalo, concentrate_run);
+        for_each_run(state.shape.tiles_x(), columns, row, tile_x, kConcentrationHalo, concentrate_run);
     }
     return any;
 }

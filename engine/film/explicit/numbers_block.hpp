@@ -12,9 +12,10 @@ namespace pastoso::film {
 void gather_numbers(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
                     HaloBlock& block);
 
-/// The same of one number alone.
+/// The same of one number alone, which is `of_all` where the step's paint is of one medium.
 void gather_number(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
-                   double FilmNumbers::*number, BlockArray<float>& out);
+                   double FilmNumbers::*number, float of_all, const StepConstants& step,
+                   BlockArray<float>& out);
 
 /// The amounts of all media but that of the tile in and around it, as its paint channels would be
 /// gathered (concentration_block.hpp): how much of them leaves with a quantum of thickness. False where

@@ -1,5 +1,7 @@
 #include "film/explicit/rheology_block.hpp"
 
+#include "film/explicit/halo_runs.hpp"
+
 #include <algorithm>
 
 namespace pastoso::film {
@@ -24,18 +26,13 @@ void clear(HaloBlock& block, int first, int count) {
 }
 
 void gather_row(const Sources& from, const HaloSource& row, int y, HaloBlock& block) {
-    const int first_tile = row.tile * from.state.shape.tiles_x();
-    const auto cells = [&](int tile, int cell, int x, int count) {
-        const int i = block_index(x, y);
-        from.rheology(from.state.paint.read(tile) + cell, from.state.thickness.read(tile) + cell, count,
-                      from.yield_per_Pa, &block.viscosity[i], &block.yield[i]);
-    };
-    const int extent = from.columns.extent;
-    cells(first_tile + from.tile_x, row.cell * kTileSize, 0, extent);
-    for (const int x : {-kMargin, extent}) {
-        const HaloSource& column = from.columns.cells[x + kHalo];
-        if (!column.outside) cells(first_tile + column.tile, row.cell * kTileSize + column.cell, x, 1);
-    }
+    for_each_run(from.state.shape.tiles_x(), from.columns, row, from.tile_x, kMargin,
+                 [&](int tile, int cell, int x, int count) {
+                     const int i = block_index(x, y);
+                     from.rheology(from.state.paint.read(tile) + cell,
+                                   from.state.thickness.read(tile) + cell, count, from.yield_per_Pa,
+                                   &block.viscosity[i], &block.yield[i]);
+                 });
 }
 
 }  // namespace

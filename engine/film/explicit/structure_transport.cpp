@@ -28,11 +28,8 @@ grid::TileBlock<std::int32_t> moved_structure(const FilmState& state, const Tile
                                               WorkerScratch& worker) {
     StructureScratch& structure = *worker.structure;
     if (!gather_worked(state, place, structure.quanta)) structure.quanta.fill(0);
-    if (step.media)
-        gather_number(state, place.columns, place.rows, place.tile_x, &FilmNumbers::breakdown_strain,
-                      structure.breakdown_strain);
-    else
-        structure.breakdown_strain.fill(step.breakdown_strain);
+    gather_number(state, place.columns, place.rows, place.tile_x, &FilmNumbers::breakdown_strain,
+                  step.breakdown_strain, step, structure.breakdown_strain);
     auto block = grid::TileBlock<std::int32_t>::uninitialised();
     core::kernels<TileKernels>().move_structure(structure_step(step, profile), worker.tile, structure,
                                                 thickness_after, block.write());

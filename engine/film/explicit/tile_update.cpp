@@ -168,11 +168,8 @@ void gather_rheology(const FilmState& state, const TilePlace& place, const StepC
         block.yield.fill(step.yield);
     }
     if (!gather_worked(state, place, worker.structure->quanta)) return;
-    if (step.media)
-        gather_number(state, place.columns, place.rows, place.tile_x, &FilmNumbers::structure_share,
-                      worker.structure->structure_share);
-    else
-        worker.structure->structure_share.fill(step.structure_share);
+    gather_number(state, place.columns, place.rows, place.tile_x, &FilmNumbers::structure_share,
+                  step.structure_share, step, worker.structure->structure_share);
     kernels.loosen(worker.structure->quanta.data(), block.quanta.data(), kBlockCells,
                    worker.structure->structure_share.data(), block.viscosity.data(), block.yield.data());
 }

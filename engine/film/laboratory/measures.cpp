@@ -53,12 +53,11 @@ class Cells {
         return 0.5 * ((stored ? film_.velocity_y.at(x, row(y - 1)) : 0.0F) + film_.velocity_y.at(x, y));
     }
 
-    /// |grad f|^2, with each component's square averaged over two faces.
-    template <class Height>
-    double slope2(int x, int y, const Height& f) const {
-        const double here = f(x, y);
-        const double left = here - f(column(x - 1), y), right = f(column(x + 1), y) - here;
-        const double above = here - f(x, row(y - 1)), below = f(x, row(y + 1)) - here;
+    /// |grad c|^2, with each component's square averaged over two faces.
+    double support_slope2(int x, int y) const {
+        const double here = c(x, y);
+        const double left = here - c(column(x - 1), y), right = c(column(x + 1), y) - here;
+        const double above = here - c(x, row(y - 1)), below = c(x, row(y + 1)) - here;
         return 0.5 * (left * left + right * right + above * above + below * below) /
                (film_.cell_mm * film_.cell_mm);
     }
@@ -142,7 +141,6 @@ Measures measure(const FilmState& film, const Medium& medium, const Gravity& gra
                  const SolverOptions& options) {
     const Cells cells(film, options);
     const double cos_angle = std::cos(core::radians(medium.advancing_angle_deg));
-    const auto support = [&](int x, int y) { return cells.c(x, y); };
     const StepConstants step = make_constants(medium, gravity, options, film.cell_mm);
     Sums sums;
     for_each_painted_cell(film, [&](int x, int y) {
@@ -155,7 +153,7 @@ Measures measure(const FilmState& film, const Medium& medium, const Gravity& gra
         if (h <= cells.negligible_mm()) return;
         const double u = cells.u(x, y), v = cells.v(x, y);
         sums.kinetic += h * (u * u + v * v);
-        const double ground = area_of(cells.slope2(x, y, support), options.full_curvature);
+        const double ground = area_of(cells.support_slope2(x, y), options.full_curvature);
         const FilmSurface surface = cells.surface(x, y, step);
         sums.surface += surface.area - cos_angle * ground * surface.covered;
         sums.wet = grid::bounding_box(sums.wet, {x, y, x + 1, y + 1});
