@@ -318,7 +318,7 @@ AdvanceReport Solver::Parts::large_step(double dt_s, bool unhurried, int halving
         const bool still_unhurried = unhurried && is_unhurried(half_s, options);
         AdvanceReport report = large_step(half_s, still_unhurried, halvings + 1);
         report.add(large_step(half_s, still_unhurried, halvings + 1));
-        ++report.rejected_steps;
+        report.rejected_steps += solved.draws_back ? 0 : 1;
         return report;
     }
     AdvanceReport report = commit_all(places, step.dt_s, results);

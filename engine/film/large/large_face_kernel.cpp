@@ -49,6 +49,18 @@ template <FaceModel kModel>
     return lanes::clamp(velocity, Lanes(-most), most);
 }
 
+/// How fast an end of the film draws back; next to nothing moves in one that fills little of its cell.
+template <FaceModel kModel>
+[[gnu::always_inline]] inline Lanes retreat(const FaceNeighbourhood<Lanes>& face, Lanes flow,
+                                            const FaceDrive<kModel, Lanes>& drive,
+                                            const StepConstants& step) {
+    const Lanes zero(0.0F), one(1.0F), wedge_mm(0.5F * step.cell_mm);
+    const Lanes receding = drive.paint.tan_receding(step) + Lanes(1e-6F);
+    const auto draws_back = (ends_left(face) && flow > zero) || (ends_right(face) && flow < zero);
+    const Lanes filling = lanes::min(one, Lanes(drive.thickness / (wedge_mm * receding)));
+    return lanes::select(draws_back, Lanes(lanes::abs(flow) * filling), zero);
+}
+
 /// The drag of a face that is explicit: at a film's edge that a contact angle holds, or shut.
 constexpr float kExplicit = -1.0F;
 
@@ -84,6 +96,7 @@ struct LargeFaceRow {
     FaceArray<float>& carried;  ///< momentum that arrives, mm/s
     bool& inertial;             ///< set where the old velocity matters for the new one
     float& fastest_mm_s;        ///< raised to that of the old velocities
+    float& fastest_retreat_mm_s;  ///< likewise
 
     FaceNeighbourhood<Lanes> face_at(int x) const {
         return neighbourhood<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y));
@@ -180,6 +193,8 @@ struct LargeFaceRow {
         if constexpr (kModel.yield) across = pressure().drive_across(step, drive.across, x);
         const Lanes flow = drag_answer<kModel.yield>(drive.driven, across, drag, resistance).flow;
         const auto flows = drive.thickness > zero;
+        const Lanes back = lanes::select(!inside && flows, retreat(face, flow, drive, step), zero);
+        fastest_retreat_mm_s = lanes::max(fastest_retreat_mm_s, lanes::largest(back));
         put_explicit(!inside, drive.thickness,
                      lanes::select(flows, limited_at_end(flow, drive, step), zero), f);
     }
@@ -314,18 +329,34 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
     float error = 0.0F;
     for (int y = -1; y < kTileSize; ++y) {
         if (y >= first - 1 && y <= last) {
-            const LargeFaceRow<kModel> row{
-                scratch,          lag, step, y_axis, 0, y, tile.y, scratch.velocity_y, tile.inertial,
-                tile.fastest_mm_s};
+            const LargeFaceRow<kModel> row{scratch,
+                                           lag,
+                                           step,
+                                           y_axis,
+                                           0,
+                                           y,
+                                           tile.y,
+                                           scratch.velocity_y,
+                                           tile.inertial,
+                                           tile.fastest_mm_s,
+                                           tile.fastest_retreat_mm_s};
             error = lanes::max(error, row.assemble(again));
             weights(scratch, step, 0, y, kBlockStride, 1, scratch.ends.normal_y.data(), tile.y.weight);
         } else {
             clear_row(tile.y, y);
         }
         if (y >= first && y <= last && y >= 0) {
-            const LargeFaceRow<kModel> row{
-                scratch,          lag, step, x_axis, -1, y, tile.x, scratch.velocity_x, tile.inertial,
-                tile.fastest_mm_s};
+            const LargeFaceRow<kModel> row{scratch,
+                                           lag,
+                                           step,
+                                           x_axis,
+                                           -1,
+                                           y,
+                                           tile.x,
+                                           scratch.velocity_x,
+                                           tile.inertial,
+                                           tile.fastest_mm_s,
+                                           tile.fastest_retreat_mm_s};
             error = lanes::max(error, row.assemble(again));
             weights(scratch, step, -1, y, 1, kBlockStride, scratch.ends.normal_x.data(), tile.x.weight);
         } else {
@@ -441,6 +472,7 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
     const RestPressure rest(step, scratch);
     tile.inertial = false;
     tile.fastest_mm_s = 0.0F;
+    tile.fastest_retreat_mm_s = 0.0F;
     tile.crowded = is_crowded(scratch.block);
     if (rest.wet) prepare_pressure(step, scratch);
     BlockArray<float>& lag = large.lagged_pressure;

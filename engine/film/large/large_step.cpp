@@ -21,6 +21,8 @@ constexpr int kMostCloseRefinements = 40;
 /// How far paint that creeps goes in a step, at most, and how long that is: longer ones are of paint
 /// that waited, and too few for their errors to sum up.
 constexpr float kCreep_cells = 0.01F, kCreepingStep_s = 0.017F;
+/// How far an end of the film may draw back in a step, in cells, but for steps as short as that.
+constexpr float kMostRetreat_cells = 0.25F, kShortestRetreat_s = 1.0F / 240.0F;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
 constexpr float kCloseTolerance = 0.0005F;
@@ -169,6 +171,14 @@ struct LargeStepper::Pass {
     bool is_creeping(const LargeTile& tile) const {
         return (constants.has_yield() || constants.varied) && constants.dt_s < kCreepingStep_s &&
                tile.fastest_mm_s * constants.dt_s < kCreep_cells * constants.cell_mm;
+    }
+    /// Whether ends of the film would draw back so far that shorter steps are to follow them.
+    bool draws_back_too_far() const {
+        if (constants.dt_s < 1.001F * kShortestRetreat_s) return false;
+        return std::any_of(places.begin(), places.end(), [&](const TilePlace& place) {
+            return tile_of(place).fastest_retreat_mm_s * constants.dt_s >
+                   kMostRetreat_cells * constants.cell_mm;
+        });
     }
     float tolerance_of(const LargeTile& tile) const {
         return is_solved_closely(tile) ? kCloseTolerance : kTolerance;
@@ -687,6 +697,8 @@ std::vector<TileResult> LargeStepper::step(const FilmState& state, const std::ve
     Pass pass{*this, state, places, step, pool, workers};
     report = {};
     pass.assemble_all();
+    report.draws_back = !accept_any && pass.draws_back_too_far();
+    if (report.draws_back) return {};
     pass.solve_yielding(report);
     if (!is_usable()) return {};
     pass.solve_within_supply(report);

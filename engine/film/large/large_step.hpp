@@ -16,6 +16,7 @@ namespace pastoso::film {
 struct LargeStepReport {
     int sweeps = 0;  ///< over all tiles, the last one without correction where it found none needed
     float residual = 0.0F;           ///< largest error of thickness before the last sweep, relative
+    bool draws_back = false;         ///< ends of the film would have drawn back too far
     std::int64_t limited_cells = 0;  ///< thick ones whose outflow was cut by more than a tenth
     std::int64_t clamped_faces = 0;  ///< whose flux was cut to the capacity left ahead
 };
@@ -26,8 +27,9 @@ class LargeStepper {
     LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thread_count);
 
     /// Advances the tiles of `places`, which do not see the others. Returns what is new in each, in
-    /// their order; or nothing, when the equations could not be met and `accept_any` is false: a shorter
-    /// step will do. `workers` holds a scratch per thread of the pool.
+    /// their order; or nothing, when the equations could not be met or ends of the film would draw back
+    /// too far, and `accept_any` is false: a shorter step will do. `workers` holds a scratch per thread
+    /// of the pool.
     std::vector<TileResult> step(const FilmState& state, const std::vector<TilePlace>& places,
                                  const StepConstants& step, core::ThreadPool& pool,
                                  std::vector<std::unique_ptr<WorkerScratch>>& workers, bool accept_any,

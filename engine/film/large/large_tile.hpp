@@ -73,6 +73,7 @@ struct LargeTile {
     float largest_mobility = 0.0F;         ///< of its faces
     float flux_error = 0.0F;               ///< by what part its last drag got a flux wrong
     float fastest_mm_s = 0.0F;             ///< the largest velocity before the step
+    float fastest_retreat_mm_s = 0.0F;     ///< of the ends that draw back, by what they fill of a cell
     bool inertial = false;  ///< the old velocity of some of its paint matters for the new one
     bool crowded = false;   ///< the same: a cell, or one of its margin, has more than kCrowded_quanta
     LargeTileState state;
