@@ -58,7 +58,7 @@ void set_shading_uniforms(QOpenGLShaderProgram& program, const Scene& scene, con
     program.setUniformValue("luminance_weights", QVector3D(weights[0], weights[1], weights[2]));
     program.setUniformValue("ground", colour(scene.ground));
     set_look(program, scene);
-    set_light(program, shade::shading_constants(scene.lighting));
+    set_light(program, shade::shading_constants(scene.lighting, scene.cell_mm));
 }
 
 }  // namespace pastoso::view

@@ -197,7 +197,7 @@ Renderer::Renderer(const film::FilmState& film, const pigment::Bands& ground, co
 void Renderer::render(const Rect& pixels, pigment::LinearImage* lit, SurfaceSamples* surface) const {
     PASTOSO_CHECK(!pixels.empty());
     PASTOSO_CHECK(grid::intersection(pixels, {0, 0, lattice_.width, lattice_.height}) == pixels);
-    const ShadingConstants light = shading_constants(settings_.lighting);
+    const ShadingConstants light = shading_constants(settings_.lighting, film_.cell_mm);
     const Frame frame = frame_of(lattice_, pixels);
     const OutlineSampling sampling = outline_sampling(frame, static_cast<float>(film_.cell_mm));
     Canvas canvas;

@@ -2,12 +2,15 @@
 
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace pastoso::shade {
 namespace {
 
 constexpr double kNormalReflection = 0.04;  // ((1.5 - 1) / (1.5 + 1))^2
+/// How sharply a shadow may end: 0.05 mm at four cells a millimetre.
+constexpr double kLeastSoftness_cells = 0.2;
 
 void check_range(const char* what, double value, double low, double high) {
     if (value >= low && value <= high) return;
@@ -27,7 +30,7 @@ void check(const Lighting& lighting) {
 
 }  // namespace
 
-ShadingConstants shading_constants(const Lighting& lighting) {
+ShadingConstants shading_constants(const Lighting& lighting, double cell_mm) {
     check(lighting);
     const double azimuth = core::radians(lighting.azimuth_deg);
     const double elevation = core::radians(lighting.elevation_deg);
@@ -50,7 +53,8 @@ ShadingConstants shading_constants(const Lighting& lighting) {
     constants.gloss = lighting.specular ? static_cast<float>(direct * core::kPi * fresnel) : 0.0F;
     constants.dry_roughness = static_cast<float>(lighting.dry_roughness);
     constants.wet_roughness = static_cast<float>(lighting.wet_roughness);
-    constants.inverse_softness_per_mm = static_cast<float>(1.0 / lighting.shadow_softness_mm);
+    const double softness_mm = std::max(lighting.shadow_softness_mm, kLeastSoftness_cells * cell_mm);
+    constants.inverse_softness_per_mm = static_cast<float>(1.0 / softness_mm);
     return constants;
 }
 

@@ -43,8 +43,9 @@ struct ShadingConstants {
     float inverse_softness_per_mm = 0;
 };
 
-/// Throws InputError when a value is outside the range that Lighting states.
-ShadingConstants shading_constants(const Lighting& lighting);
+/// On cells of this size, or 0: where a shadow ends is known to a fifth of one, so that it is never
+/// drawn sharper. Throws InputError when a value is outside the range that Lighting states.
+ShadingConstants shading_constants(const Lighting& lighting, double cell_mm);
 
 /// What the layers give at one point.
 struct SurfacePoint {

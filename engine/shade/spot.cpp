@@ -33,7 +33,7 @@ pigment::Srgb8 spot_colour(const film::PaintCoefficients& paint, const Spot& spo
     point.red = colour.red;
     point.green = colour.green;
     point.blue = colour.blue;
-    const ShadedPoint shaded = shade(point, shading_constants(spot.lighting));
+    const ShadedPoint shaded = shade(point, shading_constants(spot.lighting, 0.0));
     const pigment::Image8 pixel =
         pigment::encode_srgb8({1, 1, {shaded.red, shaded.green, shaded.blue}, spot.viewing.space});
     return {pixel.rgb[0], pixel.rgb[1], pixel.rgb[2]};

@@ -92,7 +92,8 @@ TEST_P(EveryIsa, ShadesRowsAlike) {
     const auto row = [&](core::Isa isa) {
         std::vector<float> rgb(3 * 99);
         core::kernels<Kernels>(isa).shade_row(layers.rows_from(lines.first_cell[0]), lines.weights[0],
-                                              columns, 0.25F, shading_constants(lighting), rgb.data());
+                                              columns, 0.25F, shading_constants(lighting, 0.25),
+                                              rgb.data());
         return rgb;
     };
     expect_same_bits(row(GetParam()), row(core::Isa::Baseline));
@@ -108,9 +109,10 @@ TEST_P(EveryIsa, DrawsOutlinesAlike) {
     const SampleAxis lines = sample_axis({10.0, 0.77, 0.5F}, 0, 1, 0);
     const auto row = [&](core::Isa isa) {
         std::vector<float> rgb(3 * 150, 0.5F);
-        core::kernels<Kernels>(isa).outline_row(
-            layers.rows_from(lines.first_cell[0]), outline.rows_from(lines.first_cell[0]),
-            lines.weights[0], columns, {0.25F, 0.21F, 0.7F}, shading_constants(lighting), rgb.data());
+        core::kernels<Kernels>(isa).outline_row(layers.rows_from(lines.first_cell[0]),
+                                                outline.rows_from(lines.first_cell[0]), lines.weights[0],
+                                                columns, {0.25F, 0.21F, 0.7F},
+                                                shading_constants(lighting, 0.25), rgb.data());
         return rgb;
     };
     expect_same_bits(row(GetParam()), row(core::Isa::Baseline));
