@@ -13,11 +13,16 @@ namespace {
 constexpr int kBarWidth = 30;
 constexpr std::chrono::milliseconds kDrawInterval{100};
 
-/// Too early, the rest of the work cannot be told from its beginning.
-constexpr double kSmallestKnownFraction = 0.02;
+/// Too early, the rest of the work cannot be told from its beginning: after this share of it, or less
+/// when that took so long already.
+constexpr double kKnownFraction = 0.02, kKnownSlowFraction = 0.002, kSlow_s = 2.0;
+
+bool is_slow(double fraction, double elapsed_s) {
+    return fraction >= kKnownSlowFraction && elapsed_s >= kSlow_s;
+}
 
 std::string time_left(double fraction, double elapsed_s) {
-    if (fraction < kSmallestKnownFraction) return "";
+    if (fraction < kKnownFraction && !is_slow(fraction, elapsed_s)) return "";
     return duration_text(elapsed_s * (1.0 - fraction) / fraction) + " left";
 }
 
@@ -53,12 +58,17 @@ void Progress::update(double fraction) {
         next_draw_ = Clock::now() + kDrawInterval;
         draw_bar(fraction, elapsed_s);
     }
-    if (style_ == Style::Lines && fraction * 10.0 >= next_tenth_) {
+    const bool foretells = next_tenth_ == 0 && is_slow(fraction, elapsed_s);
+    if (style_ == Style::Lines && (foretells || fraction * 10.0 >= std::max(1, next_tenth_))) {
         next_tenth_ = static_cast<int>(fraction * 10.0) + 1;
-        const std::string left = time_left(fraction, elapsed_s);
-        std::fprintf(stderr, "%s: %d %%%s%s\n", label_.c_str(), static_cast<int>(fraction * 100.0),
-                     left.empty() || fraction >= 1.0 ? "" : ", ", fraction >= 1.0 ? "" : left.c_str());
+        print_line(fraction, elapsed_s);
     }
+}
+
+void Progress::print_line(double fraction, double elapsed_s) const {
+    const std::string left = fraction < 1.0 ? time_left(fraction, elapsed_s) : "";
+    std::fprintf(stderr, "%s: %d %%%s%s\n", label_.c_str(), static_cast<int>(fraction * 100.0),
+                 left.empty() ? "" : ", ", left.c_str());
 }
 
 void Progress::draw_bar(double fraction, double elapsed_s) {

@@ -1,4 +1,5 @@
-// How far long work is: a bar with the time left on a terminal, a line for every tenth elsewhere.
+// How far long work is: a bar with the time left on a terminal; elsewhere a line for every tenth, and an
+// early one that says of slow work how long it will take.
 #pragma once
 
 #include <chrono>
@@ -28,12 +29,13 @@ class Progress {
     using Clock = std::chrono::steady_clock;
 
     void draw_bar(double fraction, double elapsed_s);
+    void print_line(double fraction, double elapsed_s) const;
 
     std::string label_;
     Style style_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point next_draw_ = start_;
-    int next_tenth_ = 1;
+    int next_tenth_ = 0;  ///< of which there is to be a line; 0 before the first
     bool bar_shown_ = false;
 };
 
