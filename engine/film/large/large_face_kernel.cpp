@@ -94,9 +94,7 @@ struct LargeFaceRow {
     int first_x, y;
     LargeFaces& faces;
     FaceArray<float>& carried;  ///< momentum that arrives, mm/s
-    bool& inertial;             ///< set where the old velocity matters for the new one
-    float& fastest_mm_s;        ///< raised to that of the old velocities
-    float& fastest_retreat_mm_s;  ///< likewise
+    LargeTile& tile;            ///< what is found out about its motion before the step
 
     FaceNeighbourhood<Lanes> face_at(int x) const {
         return neighbourhood<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y));
@@ -124,7 +122,7 @@ struct LargeFaceRow {
             store(&carried[face_index(x, y)], saturated(carried_velocity(face, viscosity, step), step));
             fastest = lanes::max(fastest, lanes::abs(face.u));
         });
-        fastest_mm_s = lanes::max(fastest_mm_s, lanes::largest(fastest));
+        tile.fastest_mm_s = lanes::max(tile.fastest_mm_s, lanes::largest(fastest));
     }
 
     /// What drives each face and what resists it. `thinned` takes the flow that thins the paint from the
@@ -194,7 +192,7 @@ struct LargeFaceRow {
         const Lanes flow = drag_answer<kModel.yield>(drive.driven, across, drag, resistance).flow;
         const auto flows = drive.thickness > zero;
         const Lanes back = lanes::select(!inside && flows, retreat(face, flow, drive, step), zero);
-        fastest_retreat_mm_s = lanes::max(fastest_retreat_mm_s, lanes::largest(back));
+        tile.fastest_retreat_mm_s = lanes::max(tile.fastest_retreat_mm_s, lanes::largest(back));
         put_explicit(!inside, drive.thickness,
                      lanes::select(flows, limited_at_end(flow, drive, step), zero), f);
     }
@@ -205,7 +203,7 @@ struct LargeFaceRow {
                                          Lanes depth, Mask inside, Lanes drag) const {
         const auto remembers = inside && drag < Lanes(kInertialDrag);
         if (!lanes::any(remembers)) return momentum;
-        inertial = true;
+        tile.inertial = true;
         const Lanes mean = Lanes(0.5F) * (face.h_left + face.h_right);
         return lanes::select(remembers, momentum * settled_share<Lanes>(mean, depth), momentum);
     }
@@ -329,34 +327,16 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
     float error = 0.0F;
     for (int y = -1; y < kTileSize; ++y) {
         if (y >= first - 1 && y <= last) {
-            const LargeFaceRow<kModel> row{scratch,
-                                           lag,
-                                           step,
-                                           y_axis,
-                                           0,
-                                           y,
-                                           tile.y,
-                                           scratch.velocity_y,
-                                           tile.inertial,
-                                           tile.fastest_mm_s,
-                                           tile.fastest_retreat_mm_s};
+            const LargeFaceRow<kModel> row{scratch, lag, step, y_axis, 0, y, tile.y, scratch.velocity_y,
+                                           tile};
             error = lanes::max(error, row.assemble(again));
             weights(scratch, step, 0, y, kBlockStride, 1, scratch.ends.normal_y.data(), tile.y.weight);
         } else {
             clear_row(tile.y, y);
         }
         if (y >= first && y <= last && y >= 0) {
-            const LargeFaceRow<kModel> row{scratch,
-                                           lag,
-                                           step,
-                                           x_axis,
-                                           -1,
-                                           y,
-                                           tile.x,
-                                           scratch.velocity_x,
-                                           tile.inertial,
-                                           tile.fastest_mm_s,
-                                           tile.fastest_retreat_mm_s};
+            const LargeFaceRow<kModel> row{scratch, lag, step, x_axis, -1, y, tile.x, scratch.velocity_x,
+                                           tile};
             error = lanes::max(error, row.assemble(again));
             weights(scratch, step, -1, y, 1, kBlockStride, scratch.ends.normal_x.data(), tile.x.weight);
         } else {

@@ -22,7 +22,7 @@ constexpr int kMostCloseRefinements = 40;
 /// that waited, and too few for their errors to sum up.
 constexpr float kCreep_cells = 0.01F, kCreepingStep_s = 0.017F;
 /// How far an end of the film may draw back in a step, in cells, but for steps as short as that.
-constexpr float kMostRetreat_cells = 0.25F, kShortestRetreat_s = 1.0F / 240.0F;
+constexpr float kMostRetreat_cells = 0.25F, kShortestRetreat_s = 1.0F / 480.0F;
 /// A thickness error below this, relative to the film, needs no further sweep.
 constexpr float kTolerance = 0.01F;
 constexpr float kCloseTolerance = 0.0005F;
