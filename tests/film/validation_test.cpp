@@ -74,6 +74,16 @@ INSTANTIATE_TEST_SUITE_P(
                     ShortCase{"yielded-slope", 0, {{"mean thickness", 0.01}}},
                     ShortCase{"kept-marks", 0, {{"amplitude", 0.03}}}));  // reached 0.007
 
+// A small step of tension spreads like heat: h + d/2 erfc(z/2) on both sides, with d = 3 step/(2 g h).
+TEST(TensionFront, OfASmallStepSpreadsLikeHeat) {
+    const validation::TensionFront front{
+        .gravity = 700, .tension_step = 0.02, .viscosity = 15, .h = 0.4};
+    const double rise = 3 * front.tension_step / (2 * front.gravity * front.h * front.h);
+    const double exact =
+        rise / std::sqrt(pi) * std::sqrt(front.gravity * std::pow(front.h, 3) / (3 * front.viscosity));
+    EXPECT_NEAR(front.rate() / exact, 1.0, 1e-4);
+}
+
 TEST(BinghamFilm, StandsStillBelowYield) {
     Bench bench({.width = 16, .height = 2, .gravity = 10, .force_x = 2, .viscosity = 0.5, .yield = 1});
     bench.fill([](int, int) { return 0.999 * 0.5; });

@@ -12,12 +12,12 @@ double error_of(const Figure& figure) {
 }
 
 std::span<const Case> cases() {
-    static const std::vector<Case> all = {nusselt_film(),    bingham_film(),  herschel_bulkley_film(),
-                                          slope_current(),   round_current(), gravity_ripple(),
-                                          tension_ripple(),  running_wave(),  yielded_heap(),
-                                          yielded_slope(),   kept_marks(),    running_drop(),
-                                          fingers(),         resting_drop(),  held_drop(),
-                                          retracting_strip()};
+    static const std::vector<Case> all = {nusselt_film(),   bingham_film(),    herschel_bulkley_film(),
+                                          slope_current(),  round_current(),   gravity_ripple(),
+                                          tension_ripple(), running_wave(),    yielded_heap(),
+                                          yielded_slope(),  kept_marks(),      running_drop(),
+                                          fingers(),        tension_front(),   resting_drop(),
+                                          held_drop(),      retracting_strip()};
     return all;
 }
 

@@ -23,4 +23,6 @@ Case kept_marks();
 Case running_drop();
 Case fingers();
 
+Case tension_front();
+
 }  // namespace pastoso::film::validation

@@ -76,6 +76,51 @@ double RetractingStrip::retreat_speed(double half_width) const {
     return tension / viscosity * (std::pow(receding, 3) - std::pow(slope, 3)) / (9.0 * stretch);
 }
 
+namespace {
+
+/// The root of a function that rises from `low` to `high`.
+template <class Function>
+double root_of(const Function& function, double low, double high) {
+    for (int halving = 0; halving < 50; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (function(middle) < 0.0 ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// The film beside a front at z = `front`, z = x / (g h^3/(3 nu) t)^(1/2), in units of its thickness far
+/// away: f = h^3 h', f' = -z h'/2, and the front goes with the paint, f = -h front/2. Returns what h
+/// comes to far away in this direction (1 or -1).
+double far_thickness(double at_front, double front, double direction) {
+    constexpr int kSteps = 4000;
+    const double step = direction * 12.0 / kSteps;
+    double h = at_front, flux = -0.5 * front * at_front;
+    for (int i = 0; i < kSteps; ++i) {
+        const double z = front + i * step, slope = flux / (h * h * h);
+        const double h_mid = h + 0.5 * step * slope, flux_mid = flux - 0.25 * step * z * slope;
+        const double slope_mid = flux_mid / (h_mid * h_mid * h_mid);
+        h += step * slope_mid;
+        flux -= 0.5 * step * (z + 0.5 * step) * slope_mid;
+    }
+    return h;
+}
+
+}  // namespace
+
+double TensionFront::rate() const {
+    const auto square_at = [](double front, double direction) {
+        const double at_front =
+            root_of([&](double edge) { return far_thickness(edge, front, direction) - 1.0; }, 0.2, 5.0);
+        return at_front * at_front;
+    };
+    const double front = root_of(
+        [&](double z) {
+            return square_at(z, 1.0) - square_at(z, -1.0) - 3.0 * tension_step / (gravity * h * h);
+        },
+        0.0, 1.0);
+    return front * std::sqrt(gravity * h * h * h / (3.0 * viscosity));
+}
+
 double yielded_tail(double force, double yield, double viscosity, double x, double t) {
     const double stands = yield / force;
     if (x <= 0) return stands;

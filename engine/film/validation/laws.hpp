@@ -63,6 +63,15 @@ struct RetractingStrip {
     double retreat_speed(double half_width) const;
 };
 
+/// A level film, half of which has a surface tension that is lower by a step (sigma/rho): that half goes
+/// out over the other as rate t^(1/2). On both sides h_t = (g/(3 nu) h^3 h_x)_x, and across the front
+/// g (h2^2 - h1^2) = 3 step. Lubrication: Oron, Davis and Bankoff (1997).
+struct TensionFront {
+    double gravity, tension_step, viscosity, h;
+
+    double rate() const;  ///< mm/s^(1/2)
+};
+
 /// Thickness behind a yield-stress current on a slope, at the distance x from its start: h (h - tau/F) =
 /// x nu / (F t). Liu and Mei (1989).
 double yielded_tail(double force, double yield, double viscosity, double x, double t);
