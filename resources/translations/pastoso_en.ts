@@ -4431,8 +4431,8 @@
         <translation>Real time</translation>
     </message>
     <message>
-        <source>Thin less...</source>
-        <translation>Thin less...</translation>
+        <source>Thin less</source>
+        <translation>Thin less</translation>
     </message>
     <message>
         <source>Pause</source>

@@ -4421,8 +4421,8 @@
         <translation>実際の速さ</translation>
     </message>
     <message>
-        <source>Thin less...</source>
-        <translation>薄めを控える...</translation>
+        <source>Thin less</source>
+        <translation>薄めを控える</translation>
     </message>
     <message>
         <source>Pause</source>

@@ -4431,8 +4431,8 @@
         <translation>Realtid</translation>
     </message>
     <message>
-        <source>Thin less...</source>
-        <translation>Späd mindre...</translation>
+        <source>Thin less</source>
+        <translation>Späd mindre</translation>
     </message>
     <message>
         <source>Pause</source>

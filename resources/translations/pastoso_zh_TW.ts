@@ -4421,8 +4421,8 @@
         <translation>實際時間</translation>
     </message>
     <message>
-        <source>Thin less...</source>
-        <translation>少稀釋...</translation>
+        <source>Thin less</source>
+        <translation>少稀釋</translation>
     </message>
     <message>
         <source>Pause</source>

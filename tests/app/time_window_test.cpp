@@ -5,6 +5,8 @@
 #include "panels/messages/pace_notice.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 #include <QAction>
 #include <QApplication>
@@ -129,19 +131,20 @@ TEST_F(SlowWindow, PausedPaintIsNotSlow) {
 TEST_F(SlowWindow, ItsButtonsDoWhatHelps) {
     tell(running(0.1));
     EXPECT_EQ(button("Real time"), nullptr) << "it runs in real time already";
+    EXPECT_EQ(button("Thin less"), nullptr) << "it is not thinned";
+    action(Command::ThinWash)->trigger();
     QSignalSpy dried(action(Command::DryNow), &QAction::triggered);
-    QSignalSpy thinned(action(Command::PhysicsPanel), &QAction::triggered);
-    for (const char* words : {"Pause", "Dry", "Thin less..."}) {
+    for (const char* words : {"Pause", "Dry", "Thin less"}) {
         ASSERT_NE(button(words), nullptr) << words;
         button(words)->click();
     }
     EXPECT_TRUE(action(Command::Pause)->isChecked());
     EXPECT_EQ(dried.count(), 1);
-    EXPECT_EQ(thinned.count(), 1);
+    EXPECT_EQ(studio().easel().hand().medium.paint_share, 0.11);
 
     action(Command::TimeFaster)->trigger();
     tell(running(0.5, 2.0));
-    EXPECT_EQ(button("Thin less..."), nullptr);
+    EXPECT_EQ(button("Thin less"), nullptr);
     ASSERT_NE(button("Real time"), nullptr);
     button("Real time")->click();
     EXPECT_FALSE(action(Command::TimeSlower)->isEnabled());
@@ -158,6 +161,24 @@ TEST_F(SlowWindow, TheNoticeMovesNothingAndLeavesTheCanvasFree) {
     EXPECT_EQ(window().statusBar()->height(), bar_before);
     EXPECT_EQ(window().minimumSizeHint().width(), least_before);
     EXPECT_TRUE(window().statusBar()->isAncestorOf(&notice()));
+}
+
+TEST_F(SlowWindow, WhatItTellsIsWholeBeforeItOffersAllThatHelps) {
+    action(Command::ThinWash)->trigger();
+    std::vector<int> offered;
+    for (const int width : {1600, 1250, 900}) {
+        window().resize(width, 700);
+        tell(running(0.1));
+        QApplication::sendPostedEvents();
+        tell(running(0.1));
+        EXPECT_EQ(notice().findChild<QLabel*>()->text().toStdString(), told()) << width;
+        const QList<QPushButton*> buttons = notice().findChildren<QPushButton*>();
+        offered.push_back(static_cast<int>(std::ranges::count_if(
+            buttons, [](const QPushButton* button) { return !button->isHidden(); })));
+    }
+    EXPECT_EQ(offered.front(), 3);
+    EXPECT_TRUE(std::ranges::is_sorted(offered, std::greater<>()));
+    EXPECT_LT(offered.back(), 3);
 }
 
 TEST_F(SlowWindow, MessagesPassBeforeIt) {

@@ -30,7 +30,7 @@ panels::PaceNotice* KeepingUp::make_notice() const {
     };
     Choice real_time = choice(Command::TimeReal, tr("Real time"));
     real_time.real_time = false;
-    Choice thin_less = choice(Command::PhysicsPanel, tr("Thin less..."));
+    Choice thin_less = choice(Command::MorePaint, tr("Thin less"));
     thin_less.faster_time = false;
     return new panels::PaceNotice(
         {real_time, choice(Command::Pause, tr("Pause")), choice(Command::DryNow, tr("Dry")), thin_less});

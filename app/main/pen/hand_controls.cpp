@@ -141,6 +141,7 @@ void HandControls::show(const tools::Hand& hand) {
     const bool thins = tools::can_thin(hand);
     for (const auto command : {Command::MoreMedium, Command::MorePaint, Command::ThinWash})
         commands.action(command)->setEnabled(thins);
+    if (hand.medium.paint_share == 1.0) commands.action(Command::MorePaint)->setEnabled(false);
     commands.action(Command::ThinWash)
         ->setChecked(thins && hand.medium.paint_share <= tools::kWashShare);
     const bool dips = tools::preset_in_hand(hand).dips;

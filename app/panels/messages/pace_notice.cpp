@@ -41,6 +41,7 @@ PaceNotice::PaceNotice(const std::vector<Choice>& choices, QWidget* parent)
         button->setToolTip(choice.action->toolTip());
         keep_keys_for_canvas(button);
         connect(button, &QPushButton::clicked, choice.action, &QAction::trigger);
+        connect(choice.action, &QAction::changed, this, &PaceNotice::fit);
         row->addWidget(button);
         buttons_.push_back({choice, button});
     }
@@ -61,11 +62,9 @@ void PaceNotice::tell(tools::Pace pace, double speed) {
     if (sentence == sentence_) return;
     const bool alert = sentence_.isEmpty();
     sentence_ = sentence;
-    for (const auto& [choice, button] : buttons_)
-        button->setVisible(speed > 1.0 ? choice.faster_time : choice.real_time);
+    faster_ = speed > 1.0;
     words_->setToolTip(sentence_);
     setAccessibleName(sentence_);
-    layout()->activate();
     fit();
     Q_EMIT sentence_changed();
     if (!alert) return;
@@ -78,7 +77,16 @@ void PaceNotice::resizeEvent(QResizeEvent* event) {
     fit();
 }
 
+/// The sentence comes first: of the choices, the last ones go where they have no room beside it.
 void PaceNotice::fit() {
+    int room = width() - words_->fontMetrics().horizontalAdvance(sentence_) - 2 * words_->margin();
+    for (const auto& [choice, button] : buttons_) {
+        const bool helps =
+            choice.action->isEnabled() && (faster_ ? choice.faster_time : choice.real_time);
+        if (helps) room -= layout()->spacing() + button->sizeHint().width();
+        button->setVisible(helps && room >= 0);
+    }
+    layout()->activate();
     const int width = words_->contentsRect().width() - 2 * words_->margin();
     words_->setText(words_->fontMetrics().elidedText(sentence_, Qt::ElideRight, width));
 }

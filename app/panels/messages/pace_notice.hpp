@@ -53,6 +53,7 @@ class PaceNotice : public QWidget {
     std::vector<Button> buttons_;
     QLabel* words_;
     QString sentence_;
+    bool faster_ = false;  ///< whether time is to pass faster than by the clock
 };
 
 }  // namespace pastoso::panels
