@@ -16,19 +16,6 @@ namespace {
 
 constexpr double kForce = 500.0;
 
-/// Makes a share of every cell's paint paint of another scene's medium.
-void mix_in(Bench& bench, const Scene& other, const std::function<double(int x, int y)>& share) {
-    const int medium = add_medium(bench.state, film_numbers_of(medium_of(other)));
-    for (int y = 0; y < bench.setup.height; ++y)
-        for (int x = 0; x < bench.setup.width; ++x) {
-            MediaCell cell{};
-            cell[medium] =
-                static_cast<std::int32_t>(std::lround(share(x, y) * bench.state.thickness.at(x, y)));
-            bench.state.media.foreign.set(x, y, cell);
-        }
-    bench.solver->wake_all();
-}
-
 /// Of all paint, quanta.
 std::int64_t amount_of(const FilmState& state, int medium) {
     std::int64_t sum = 0;
@@ -65,7 +52,7 @@ TEST_P(Media, EachPaintRunsByItsOwnProfileAndSlip) {
     other.slip_cells = 0.4;
     Bench bench(scene);
     bench.fill([](int, int) { return 1.0; });
-    mix_in(bench, other, [](int x, int) { return x < 12 ? 0.0 : 1.0; });
+    bench.mix_in(medium_of(other), [](int x, int) { return x < 12 ? 0.0 : 1.0; });
     bench.run(0.005, 1.5);
     for (int x = 0; x < 24; ++x) {
         const double exact = x < 12 ? film_speed(1.0, 0.0, 30.0) : film_speed(0.7, 0.4, 30.0);
@@ -79,7 +66,7 @@ TEST_P(Media, EachPaintThinsByItsOwnIndex) {
     other.flow_index = 0.6;
     Bench bench(scene);
     bench.fill([](int, int) { return 1.0; });
-    mix_in(bench, other, [](int x, int) { return x < 12 ? 0.0 : 1.0; });
+    bench.mix_in(medium_of(other), [](int x, int) { return x < 12 ? 0.0 : 1.0; });
     bench.run(0.005, 1.5);
     const double thinned =
         validation::plastic_speed({.consistency = 30.0, .flow_index = 0.6}, kForce, 1.0);
@@ -93,7 +80,7 @@ TEST_P(Media, AMixtureHasTheMeansByVolume) {
     other.alpha_min = other.alpha_max = 0.7;
     Bench bench(scene);
     bench.fill([](int, int) { return 1.0; });
-    mix_in(bench, other, [](int, int) { return 0.25; });
+    bench.mix_in(medium_of(other), [](int, int) { return 0.25; });
     bench.run(0.005, 1.5);
     // The drags 3 and 6/1.1, three parts to one.
     const double exact = kForce / (30.0 * (0.75 * 3.0 + 0.25 * 6.0 / 1.1));
@@ -116,8 +103,8 @@ double pulled_speed(const Scheme& scheme, double slip_cells, double alpha, bool 
     stronger.tension = 2480.0;
     Bench bench(scene);
     bench.fill([](int, int) { return 0.5; });
-    mix_in(bench, stronger,
-           [&](int x, int y) { return std::clamp(((along_x ? x : y) - 7.5) / 48.0, 0.0, 1.0); });
+    bench.mix_in(medium_of(stronger),
+                 [&](int x, int y) { return std::clamp(((along_x ? x : y) - 7.5) / 48.0, 0.0, 1.0); });
     for (int step = 0; step < 20; ++step)
         bench.solver->step(1e-3);
     return along_x ? bench.u(32, 5) : bench.v(5, 32);
@@ -179,7 +166,7 @@ TEST_P(Media, OfOneKindFlowAsThatKindAlone) {
     Bench alone(scene), mixed(scene);
     alone.fill(drop);
     mixed.fill(drop);
-    mix_in(mixed, same, [](int x, int y) { return (3 * x + 5 * y) % 7 / 6.0; });
+    mixed.mix_in(medium_of(same), [](int x, int y) { return (3 * x + 5 * y) % 7 / 6.0; });
     alone.pass(0.25);
     mixed.pass(0.25);
     const double moved = alone.largest_difference(drop);
@@ -193,7 +180,7 @@ TEST_P(Media, AreKeptWhereverPaintFlows) {
     const Scene scene = drop_scene(GetParam());
     Bench bench(scene);
     bench.fill(drop);
-    mix_in(bench, other_paint(scene), [](int x, int) { return x < 33 ? 1.0 : 0.1; });
+    bench.mix_in(medium_of(other_paint(scene)), [](int x, int) { return x < 33 ? 1.0 : 0.1; });
     const std::int64_t before[2] = {amount_of(bench.state, 0), amount_of(bench.state, 1)};
     const std::int64_t all = totals(bench.state).thickness;
     bench.pass(1.0);
@@ -232,7 +219,7 @@ TEST_P(Media, AreTheSameOnAnyNumberOfThreads) {
     Bench other(scene);
     for (Bench* each : {&bench, &other}) {
         each->fill(drop);
-        mix_in(*each, other_paint(scene), two_paints);
+        each->mix_in(medium_of(other_paint(scene)), two_paints);
         each->pass(0.3);
     }
     EXPECT_EQ(state_hash(bench.state), state_hash(other.state));
@@ -245,8 +232,8 @@ TEST_P(Media, AreTheSameTurned) {
     Bench bench(scene), other(turned);
     bench.fill(drop);
     other.fill([](int x, int y) { return drop(y, x); });
-    mix_in(bench, other_paint(scene), two_paints);
-    mix_in(other, other_paint(turned), [&](int x, int y) { return two_paints(y, x); });
+    bench.mix_in(medium_of(other_paint(scene)), two_paints);
+    other.mix_in(medium_of(other_paint(turned)), [&](int x, int y) { return two_paints(y, x); });
     bench.pass(0.3);
     other.pass(0.3);
     double apart = 0.0;
@@ -271,7 +258,8 @@ double middle_mm(const Scheme& scheme, double tension_in_the_middle) {
     other.tension = tension_in_the_middle;
     Bench bench(scene);
     bench.fill([](int, int) { return 0.3; });
-    mix_in(bench, other, [](int x, int y) { return std::hypot(x - 29.5, y - 29.5) < 8 ? 1.0 : 0.0; });
+    bench.mix_in(medium_of(other),
+                 [](int x, int y) { return std::hypot(x - 29.5, y - 29.5) < 8 ? 1.0 : 0.0; });
     bench.pass(0.5);
     return bench.h(29, 29);
 }
@@ -299,7 +287,7 @@ double front_rate(const Scheme& scheme, double cell_mm) {
     weak.tension = 10;
     Bench bench(scene);
     bench.fill([](int, int) { return 0.3; });
-    mix_in(bench, weak, [&](int x, int) { return x < width / 2 ? 1.0 : 0.0; });
+    bench.mix_in(medium_of(weak), [&](int x, int) { return x < width / 2 ? 1.0 : 0.0; });
     const auto share = [&](int x) {
         return bench.state.media.foreign.at(x, 2)[1] /
                static_cast<double>(bench.state.thickness.at(x, 2));
@@ -355,8 +343,8 @@ TEST(WetMedia, MoreThanThereIsRoomForBecomeTheMostAlike) {
 TEST(WetMedia, ATileOfAnotherMediumAloneNeedsNoCells) {
     Bench bench({.width = 70, .height = 70});
     bench.fill([](int x, int) { return x < 64 ? 0.4 : 0.0; });
-    mix_in(bench, {.width = 70, .height = 70, .tension = 20.0},
-           [](int, int y) { return y < 64 ? 1.0 : 0.5; });
+    bench.mix_in(validation::medium_of({.width = 70, .height = 70, .tension = 20.0}),
+                 [](int, int y) { return y < 64 ? 1.0 : 0.5; });
     const int tiles = bench.state.shape.tile_count();
     for (int tile = 0; tile < tiles; ++tile)
         settle_media(bench.state, tile);

@@ -1,6 +1,7 @@
 #include "film/validation/bench.hpp"
 
 #include "core/units.hpp"
+#include "film/cell/wet_media.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,18 @@ void Bench::set_support(const std::function<double(int, int)>& height_mm) {
     for (int y = 0; y < setup.height; ++y)
         for (int x = 0; x < setup.width; ++x)
             state.support_mm.set(x, y, static_cast<float>(height_mm(x, y)));
+}
+
+void Bench::mix_in(const Medium& other, const std::function<double(int, int)>& share) {
+    const int medium = add_medium(state, film_numbers_of(other));
+    for (int y = 0; y < setup.height; ++y)
+        for (int x = 0; x < setup.width; ++x) {
+            MediaCell cell{};
+            cell[medium] =
+                static_cast<std::int32_t>(std::lround(share(x, y) * state.thickness.at(x, y)));
+            state.media.foreign.set(x, y, cell);
+        }
+    solver->wake_all();
 }
 
 double Bench::volume() const {

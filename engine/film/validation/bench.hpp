@@ -42,6 +42,8 @@ class Bench {
     /// Sets h (mm) in every cell, rounded to whole quanta.
     void fill(const std::function<double(int x, int y)>& thickness_mm);
     void set_support(const std::function<double(int x, int y)>& height_mm);
+    /// Makes a share of every cell's paint paint of another medium.
+    void mix_in(const Medium& other, const std::function<double(int x, int y)>& share);
 
     double h(int x, int y) const { return thickness_mm(state.thickness.at(x, y)); }
     double u(int x, int y) const { return state.velocity_x.at(x, y); }

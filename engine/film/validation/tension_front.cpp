@@ -23,32 +23,13 @@ Setup film_of(const Run& run, double tension) {
             .watch = run.watch};
 }
 
-/// Makes the middle half of the film paint of the weaker tension.
-void weaken_middle(const Plane& plane, const FilmNumbers& weak, Bench& bench) {
-    const int medium = add_medium(bench.state, weak);
-    const double centre = 0.5 * plane.period_mm(), half_width = 0.25 * plane.period_mm();
-    const auto is_weak = [&](double s) { return std::abs(s - centre) < half_width ? 1.0 : 0.0; };
-    for (int y = 0; y < plane.height(); ++y)
-        for (int x = 0; x < plane.width(); ++x) {
-            MediaCell cell{};
-            cell[medium] = static_cast<std::int32_t>(
-                std::lround(plane.mean(is_weak, x, y) * bench.state.thickness.at(x, y)));
-            bench.state.media.foreign.set(x, y, cell);
-        }
-    bench.solver->wake_all();
-}
-
 /// Of the weaker part, by the mean share that cells hold of it.
 double half_width_mm(const Plane& plane, const Bench& bench) {
-    const grid::Shape& shape = bench.state.shape;
     double sum = 0.0;
-    for (int tile = 0; tile < shape.tile_count(); ++tile) {
-        const grid::Rect cells = shape.tile_cells(tile);
-        for (int y = 0; y < cells.height(); ++y)
-            for (int x = 0; x < cells.width(); ++x)
-                sum += mixed_number(bench.state, tile, y * grid::kTileSize + x,
-                                    &FilmNumbers::surface_tension_N_m);
-    }
+    for (int y = 0; y < plane.height(); ++y)
+        for (int x = 0; x < plane.width(); ++x)
+            sum += mixed_number(bench.state, bench.state.shape.tile_at(x, y),
+                                grid::Shape::cell_in_tile(x, y), &FilmNumbers::surface_tension_N_m);
     const double mean = sum / (plane.width() * plane.height());
     const double strong = medium_of({.tension = kStrong}).surface_tension_N_m;
     const double weak = medium_of({.tension = kWeak}).surface_tension_N_m;
@@ -59,7 +40,10 @@ Outcome spread(const Run& run) {
     const Plane plane(kPeriod_mm, run.angle_deg, run.cell_mm);
     Bench bench(plane.placed(film_of(run, kStrong)));
     plane.fill(bench, [](double) { return kThickness_mm; });
-    weaken_middle(plane, film_numbers_of(medium_of(film_of(run, kWeak))), bench);
+    const double centre = 0.5 * plane.period_mm(), reach = 0.25 * plane.period_mm();
+    const auto is_weak = [&](double along) { return std::abs(along - centre) < reach ? 1.0 : 0.0; };
+    bench.mix_in(medium_of(film_of(run, kWeak)),
+                 [&](int x, int y) { return plane.mean(is_weak, x, y); });
     const double rate = TensionFront{.gravity = kGravity,
                                      .tension_step = kStrong - kWeak,
                                      .viscosity = kViscosity,
