@@ -139,9 +139,9 @@ void HandControls::show(const tools::Hand& hand) {
     commands.action(Command::TurnWithStroke)->setChecked(hand.turn_with_stroke);
     commands.action(Command::TiltTool)->setChecked(hand.tilted);
     const bool thins = tools::can_thin(hand);
-    for (const auto command : {Command::MoreMedium, Command::MorePaint, Command::ThinWash})
+    for (const auto command : {Command::MoreMedium, Command::ThinWash})
         commands.action(command)->setEnabled(thins);
-    if (hand.medium.paint_share == 1.0) commands.action(Command::MorePaint)->setEnabled(false);
+    commands.action(Command::MorePaint)->setEnabled(thins && hand.medium.paint_share < 1.0);
     commands.action(Command::ThinWash)
         ->setChecked(thins && hand.medium.paint_share <= tools::kWashShare);
     const bool dips = tools::preset_in_hand(hand).dips;
