@@ -74,6 +74,22 @@ TEST(BrushMedia, AreKeptInSumByEveryTool) {
     }
 }
 
+TEST(BrushMedia, ASprayCanKeepsThemAsTimePasses) {
+    film::FilmState film = wet_film();
+    Brush can = loaded(find_preset("Spray can 35"), kLaid);
+    const double lying = volume_of(film, kLying), in_can = can.contents().volume_mm3;
+    Stroke stroke(can, film);
+    stroke.begin(kAcross(0.5));
+    for (int tick = 0; tick < 30; ++tick)
+        stroke.pass_time(1.0 / 60.0);
+    stroke.end();
+    const double sprayed = in_can - can.contents().volume_mm3;
+    EXPECT_GT(sprayed, 1.0);
+    EXPECT_NEAR(volume_of(film, kLaid), sprayed, 0.01 * sprayed);
+    EXPECT_NEAR(volume_of(film, kLying), lying, 0.01 * sprayed);
+    EXPECT_EQ(held(can, kLying), 0.0);
+}
+
 TEST(BrushMedia, FreshPaintOnBareCanvasIsOfItsOwnMedium) {
     film::FilmState film = wet_film();
     Brush brush = loaded(studio::flat_preset(8.0), kLaid);
