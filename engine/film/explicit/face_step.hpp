@@ -35,17 +35,17 @@ PASTOSO_LANE_FUNCTION F stopping_stress(F drag, F thickness, F u, F v, const Pai
 }
 
 /// What drives a face at the old time.
-template <FaceModel kModel, class F>
-PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> explicit_drive(const FaceNeighbourhood<F>& face,
-                                                          const StepConstants& step, float force,
-                                                          float force_across) {
+template <FaceModel kModel, FacePlace kPlace, class F>
+PASTOSO_LANE_FUNCTION void explicit_drive(const FaceNeighbourhood<F>& face, const StepConstants& step,
+                                          float force, float force_across, FaceDrive<kModel, F>& drive) {
     const F dt(step.dt_s), inverse_cell(step.inverse_cell);
     const FaceStart<F> start{
         .momentum = face.u - F(step.inertia) * dt * momentum_advection(face, inverse_cell),
         .pressure_gradient = (face.pressure_right - face.pressure_left) * inverse_cell,
         .gradient_across = kModel.yield ? face.pressure_rise_across * inverse_cell : F(0.0F),
         .along = face.u};
-    return face_drive<kModel, FaceScheme::Explicit>(face, step, force, force_across, start);
+    constexpr FaceKind kKind{FaceScheme::Explicit, kPlace};
+    face_drive<kModel, kKind>(face, step, force, force_across, start, drive);
 }
 
 /// What the drag at the new time has to stop.
@@ -98,7 +98,8 @@ PASTOSO_LANE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag
 template <FaceModel kModel, class F>
 PASTOSO_LANE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
                                             float force, float force_across) {
-    const FaceDrive<kModel, F> drive = explicit_drive<kModel>(face, step, force, force_across);
+    FaceDrive<kModel, F> drive;
+    explicit_drive<kModel, FacePlace::Anywhere>(face, step, force, force_across, drive);
     const FaceDrag<F> drag = face_drag<kModel>(drive, step);
     return face_flow(drive.thickness, drag, drag_law<kModel.yield>(drag.drag, drag.stress), step);
 }

@@ -65,6 +65,18 @@ struct FaceKernel {
     FaceArray<float>& velocity;
     FaceArray<std::int32_t>& flux;
 
+    template <FacePlace kPlace>
+    [[gnu::always_inline]] void drive_at(int i, const StepConstants& constants,
+                                         FaceDrive<kModel, Lanes>& drive) const {
+        explicit_drive<kModel, kPlace>(
+            neighbourhood<kModel, kPlace>(scratch, constants, axis, AlongRow{}, i), constants,
+            axis.force, axis.force_across, drive);
+    }
+    /// Not inlined: what it keeps in registers would slow down the faces in the middle of the film.
+    [[gnu::noinline]] void drive_near_end(int i, FaceDrive<kModel, Lanes>& drive) const {
+        drive_at<FacePlace::Anywhere>(i, step, drive);
+    }
+
     /// Faces 0..63 of a row, in a loop for each stage: the chain of dependent divisions through all of
     /// them is too long for the processor to overlap whole faces.
     void flow_row(int y, const LineMask& on_canvas, LaneExtremes& extremes) const {
@@ -74,10 +86,13 @@ struct FaceKernel {
         std::array<FaceDrive<kModel, Lanes>, kGroups> drive;
         std::array<FaceDrag<Lanes>, kGroups> drag;
         std::array<BinghamDrag<Lanes>, kGroups> law;
-        for (int group = 0; group < kGroups; ++group)
-            drive[group] = explicit_drive<kModel>(
-                neighbourhood<kModel>(scratch, local, axis, AlongRow{}, block_index(group * kLanes, y)),
-                local, axis.force, axis.force_across);
+        for (int group = 0; group < kGroups; ++group) {
+            const int i = block_index(group * kLanes, y);
+            if (are_in_film<kModel>(scratch, local, axis, i))
+                drive_at<FacePlace::InFilm>(i, local, drive[group]);
+            else
+                drive_near_end(i, drive[group]);
+        }
         for (int group = 0; group < kGroups; ++group)
             drag[group] = face_drag<kModel>(drive[group], local);
         for (int group = 0; group < kGroups; ++group)
@@ -102,9 +117,9 @@ struct FaceKernel {
         const std::int32_t* quanta = scratch.block.quanta.data();
         for (int y = 0; y < kTileSize; y += kLanes) {
             const int i = block_index(x, y);
-            const FaceFlow<Lanes> flow =
-                face_flow<kModel>(neighbourhood<kModel>(scratch, step, axis, AlongColumn{}, i), step,
-                                  axis.force, axis.force_across);
+            const FaceFlow<Lanes> flow = face_flow<kModel>(
+                neighbourhood<kModel, FacePlace::Anywhere>(scratch, step, axis, AlongColumn{}, i), step,
+                axis.force, axis.force_across);
             extremes.add(flow, load(&on_canvas[y]));
             const Ints left =
                 lanes::generate<Ints>([&](int lane) { return quanta[i + lane * kBlockStride]; });

@@ -7,6 +7,23 @@ namespace {
 
 using grid::kTileSize;
 
+/// The columns in which the film may end, and where ends are looked at.
+constexpr int kFirstEnd = -2, kLastEnd = kTileSize + 2;
+
+/// Whether a row is wet as far as ends are looked at and one cell beyond.
+bool is_wet_row(const StepConstants& step, int y, const HaloBlock& block) {
+    Lanes thinnest = load(&block.thickness[block_index(kFirstEnd - 1, y)]);
+    for_each_lane_group(kFirstEnd - 1, kLastEnd + 1, [&](int x) {
+        thinnest = lanes::min(thinnest, load(&block.thickness[block_index(x, y)]));
+    });
+    return lanes::all(thinnest > Lanes(step.wet_mm));
+}
+
+void clear_ends(int y, FilmEnds& ends) {
+    for_each_lane_group(kFirstEnd, kLastEnd,
+                        [&](int x) { store(&ends.slope[block_index(x, y)], Lanes(0.0F)); });
+}
+
 /// Whether the cells and all around them are wet: then the film ends in none of them.
 [[gnu::always_inline]] inline bool inside_film(const float* h, Lanes wet) {
     const auto thinnest = [](const float* row) {
@@ -18,7 +35,7 @@ using grid::kTileSize;
 
 void find_ends(const StepConstants& step, int y, const HaloBlock& block, FilmEnds& ends) {
     const float* thickness = block.thickness.data();
-    for_each_lane_group(-2, kTileSize + 2, [&](int x) {
+    for_each_lane_group(kFirstEnd, kLastEnd, [&](int x) {
         const int i = block_index(x, y);
         const float* h = thickness + i;
         if (inside_film(h, Lanes(step.wet_mm))) return store(&ends.slope[i], Lanes(0.0F));
@@ -37,6 +54,22 @@ void find_ends(const StepConstants& step, int y, const HaloBlock& block, FilmEnd
     });
 }
 
+/// Finds the ends in all rows from `first` to `last`. Between rows that are wet all along there are
+/// none.
+void find_ends_of_rows(const StepConstants& step, int first, int last, const HaloBlock& block,
+                       FilmEnds& ends) {
+    bool above = is_wet_row(step, first - 1, block), here = is_wet_row(step, first, block);
+    for (int y = first; y <= last; ++y) {
+        const bool below = is_wet_row(step, y + 1, block);
+        if (above && here && below)
+            clear_ends(y, ends);
+        else
+            find_ends(step, y, block, ends);
+        above = here;
+        here = below;
+    }
+}
+
 /// sin of the slope angle for a slope given as a tangent, or the tangent itself for small slopes.
 template <bool kFullCurvature>
 Lanes bent(Lanes slope, Lanes slope_across) {
@@ -44,24 +77,51 @@ Lanes bent(Lanes slope, Lanes slope_across) {
     return slope / lanes::sqrt(Lanes(Lanes(1.0F) + slope * slope + slope_across * slope_across));
 }
 
-/// The surface's slope where the film ends in cell i: at its dry side, where the contact angles bound
-/// it, and at the side of the film.
+/// The surface's slope at faces along one axis (`along` is its index stride) where the film ends in one
+/// of their cells.
 template <bool kFullCurvature>
 struct EndSlope {
     const TileScratch& scratch;
     const StepConstants& step;
     const float* normal_along;
+    int along;
 
-    Lanes at_dry(int i) const {
-        const CellNumbers<BlockArray<float>>& numbers = scratch.block.numbers;
-        return along(i, lanes::clamp(load(&scratch.ends.contact_slope[i]),
-                                     cell_number(numbers.tan_receding, step.tan_receding, i, step),
-                                     cell_number(numbers.tan_advancing, step.tan_advancing, i, step)));
+    /// Whether a group of faces has none of these.
+    [[gnu::always_inline]] bool is_far_from(int left) const {
+        const float* h = scratch.block.thickness.data() + left;
+        const float* end_slope = scratch.ends.slope.data() + left;
+        const Lanes thinnest = lanes::min(load(h), load(h + along));
+        const Lanes ends = lanes::max(load(end_slope), load(end_slope + along));
+        return lanes::all(thinnest > Lanes(step.wet_mm) && ends == Lanes(0.0F));
     }
-    Lanes at_film(int i) const { return along(i, load(&scratch.ends.slope[i])); }
+
+    /// Puts that slope in place of the film's. Not inlined: what it keeps in registers would slow down
+    /// the faces far from it.
+    [[gnu::noinline]] void bound(int left, Lanes& slope) const {
+        const int right = left + along;
+        const Lanes wet(step.wet_mm), zero(0.0F);
+        const Lanes h_left = load(&scratch.block.thickness[left]);
+        const Lanes h_right = load(&scratch.block.thickness[right]);
+        const auto wet_left = h_left > wet, wet_right = h_right > wet, both = wet_left && wet_right;
+        const Lanes edge =
+            lanes::select(wet_left, Lanes(-at_dry(left)), lanes::select(wet_right, at_dry(right), zero));
+        const auto ends_left = load(&scratch.ends.slope[left]) != zero && h_left < h_right;
+        const auto ends_right = load(&scratch.ends.slope[right]) != zero && h_right < h_left;
+        const Lanes within = lanes::select(ends_right, Lanes(-at_film(right)), at_film(left));
+        slope = lanes::select(both, lanes::select(ends_left || ends_right, within, slope), edge);
+    }
 
   private:
-    Lanes along(int i, Lanes slope) const {
+    /// At the end's dry side, where the contact angles bound it.
+    Lanes at_dry(int i) const {
+        const CellNumbers<BlockArray<float>>& numbers = scratch.block.numbers;
+        return of_end(i, lanes::clamp(load(&scratch.ends.contact_slope[i]),
+                                      cell_number(numbers.tan_receding, step.tan_receding, i, step),
+                                      cell_number(numbers.tan_advancing, step.tan_advancing, i, step)));
+    }
+    /// At the side of the film.
+    Lanes at_film(int i) const { return of_end(i, load(&scratch.ends.slope[i])); }
+    Lanes of_end(int i, Lanes slope) const {
         return bent<kFullCurvature>(slope, Lanes(0.0F)) * load(normal_along + i);
     }
 };
@@ -72,39 +132,19 @@ struct EndSlope {
 template <bool kFullCurvature>
 void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, int axis, int across,
                  const float* normal_along, float* slopes) {
-    const HaloBlock& block = scratch.block;
-    const float* h = block.thickness.data();
-    const float* eta = block.eta.data();
-    const float* end_slope = scratch.ends.slope.data();
-    const EndSlope<kFullCurvature> end{scratch, step, normal_along};
-    const Lanes wet(step.wet_mm), inverse_cell(step.inverse_cell), zero(0.0F);
+    const float* eta = scratch.block.eta.data();
+    const EndSlope<kFullCurvature> end{scratch, step, normal_along, axis};
+    const Lanes inverse_cell(step.inverse_cell);
     for_each_lane_group(-2, kTileSize + 1, [&](int x) {
         const int left = block_index(x, y), right = left + axis;
-        const Lanes h_left = load(h + left), h_right = load(h + right);
         const Lanes slope = (load(eta + right) - load(eta + left)) * inverse_cell;
         const Lanes slope_across = Lanes(0.25F) * inverse_cell *
                                    ((load(eta + left + across) - load(eta + left - across)) +
                                     (load(eta + right + across) - load(eta + right - across)));
         Lanes result = bent<kFullCurvature>(slope, slope_across);
-        const auto put = [&](Lanes slope_there) {
-            store(slopes + left,
-                  step.media ? relative_tension(block, step, left, right) * slope_there : slope_there);
-        };
-        if (!step.has_contact_angle()) return put(result);
-        const auto wet_left = h_left > wet, wet_right = h_right > wet, both = wet_left && wet_right;
-        if (!lanes::all(both)) {
-            const Lanes edge = lanes::select(wet_left, Lanes(-end.at_dry(left)),
-                                             lanes::select(wet_right, end.at_dry(right), zero));
-            result = lanes::select(both, result, edge);
-        }
-        const auto ends_left = both && load(end_slope + left) != zero && h_left < h_right;
-        const auto ends_right = both && load(end_slope + right) != zero && h_right < h_left;
-        if (lanes::any(ends_left || ends_right)) {
-            const Lanes within =
-                lanes::select(ends_right, Lanes(-end.at_film(right)), end.at_film(left));
-            result = lanes::select(ends_left || ends_right, within, result);
-        }
-        put(result);
+        if (step.has_contact_angle() && !end.is_far_from(left)) end.bound(left, result);
+        if (step.media) result = relative_tension(scratch.block, step, left, right) * result;
+        store(slopes + left, result);
     });
 }
 
@@ -145,8 +185,7 @@ void prepare(const StepConstants& step, TileScratch& scratch) {
     const int first = lanes::max(scratch.block.first_wet_row - 1, -1);
     const int last = lanes::min(scratch.block.last_wet_row + 1, kTileSize);
     if (step.has_contact_angle())
-        for (int y = first - 1; y <= last + 1; ++y)
-            find_ends(step, y, scratch.block, scratch.ends);
+        find_ends_of_rows(step, first - 1, last + 1, scratch.block, scratch.ends);
     for (int y = first; y <= last; ++y)
         face_slopes<kFullCurvature>(scratch, step, y, 1, kBlockStride, scratch.ends.normal_x.data(),
                                     scratch.slope_x.data());

@@ -64,7 +64,23 @@ template <class Load>
             .normal_along = load_at(along_x ? &ends.normal_x[i] : &ends.normal_y[i])};
 }
 
-template <FaceModel kModel, class Load>
+/// Whether a group of faces along a row, from cell i of the block on, is in the middle of the film.
+template <FaceModel kModel>
+[[gnu::always_inline]] inline bool are_in_film(const TileScratch& scratch, const StepConstants& step,
+                                               const Axis& axis, int i) {
+    const float* h = scratch.block.thickness.data() + i;
+    const int s = axis.along, t = axis.across;
+    Lanes thinnest = lanes::min(load(h), load(h + s));
+    if constexpr (kModel.yield)
+        thinnest = lanes::min(thinnest, lanes::min(lanes::min(load(h - t), load(h + t)),
+                                                   lanes::min(load(h + s - t), load(h + s + t))));
+    if (!lanes::all(thinnest > Lanes(step.wet_mm))) return false;
+    if (!step.has_contact_angle()) return true;
+    const float* end_slope = scratch.ends.slope.data() + i;
+    return lanes::all(lanes::max(load(end_slope), load(end_slope + s)) == Lanes(0.0F));
+}
+
+template <FaceModel kModel, FacePlace kPlace, class Load>
 [[gnu::always_inline]] inline FaceNeighbourhood<Lanes> neighbourhood(const TileScratch& scratch,
                                                                      const StepConstants& step,
                                                                      const Axis& axis,
@@ -90,14 +106,20 @@ template <FaceModel kModel, class Load>
                                             (load_at(eta + i + s + t) - load_at(eta + i + s - t)));
     face.pressure_left = load_at(&scratch.pressure[i]);
     face.pressure_right = load_at(&scratch.pressure[i + s]);
-    if constexpr (kModel.yield)
-        face.pressure_rise_across = difference_across<Lanes>(
-            [&](std::ptrdiff_t n) { return load_at(&scratch.pressure[i + n]); },
-            [&](std::ptrdiff_t n) { return load_at(&block.thickness[i + n]) > Lanes(step.wet_mm); }, s,
-            t);
+    if constexpr (kModel.yield) {
+        const auto pressure = [&](std::ptrdiff_t n) { return load_at(&scratch.pressure[i + n]); };
+        const auto is_wet = [&](std::ptrdiff_t n) {
+            return load_at(&block.thickness[i + n]) > Lanes(step.wet_mm);
+        };
+        face.pressure_rise_across = kPlace == FacePlace::InFilm
+                                        ? mean_step(steps_across<Lanes>(pressure, s, t))
+                                        : difference_across<Lanes>(pressure, is_wet, s, t);
+    }
     face.curvature = Lanes(0.5F) * (load_at(&scratch.curvature[i]) + load_at(&scratch.curvature[i + s]));
-    face.end_left = cell_end(scratch.ends, axis, load_at, i);
-    face.end_right = cell_end(scratch.ends, axis, load_at, i + s);
+    if constexpr (kPlace == FacePlace::Anywhere) {
+        face.end_left = cell_end(scratch.ends, axis, load_at, i);
+        face.end_right = cell_end(scratch.ends, axis, load_at, i + s);
+    }
     face.u = load_at(u + i);
     face.u_back = load_at(u + i - s);
     face.u_front = load_at(u + i + s);

@@ -7,6 +7,7 @@
 #include "film/cell/film_numbers.hpp"
 #include "film/step_constants.hpp"
 
+#include <array>
 #include <cstddef>
 
 namespace pastoso::film {
@@ -22,6 +23,11 @@ struct FaceModel {
     bool varied = false;  ///< every cell has its own viscosity and yield stress
     bool media = false;   ///< and all other numbers of its own medium
 };
+
+/// Where a face, or a group of them, is: anywhere, or in the middle of the film, with no end of it
+/// beside them. What only ends need is left out there, which changes no bit and keeps the way through
+/// the middle short.
+enum class FacePlace { Anywhere, InFilm };
 
 /// How the film ends in a cell, as far as one of its faces needs to know it; see FilmEnd.
 template <class F>
@@ -64,19 +70,30 @@ struct FaceNeighbourhood {
     CellNumbers<F> numbers_left, numbers_right;  ///< of several media only
 };
 
-/// How much a value rises from cell to cell along a face: the mean over those of the four steps in the
-/// rows on both sides of it that lie within the film. `value(n)` and `wet(n)` are of the cell n further
-/// than the left one; the right one stands `s` further, the next ones along the face `t`.
+/// The steps of a value from cell to cell along a face, in the rows on both sides of it. `value(n)` is
+/// of the cell n further than the left one; the right one stands `s` further, the next ones along the
+/// face `t`.
+template <class F, class Value>
+PASTOSO_LANE_FUNCTION std::array<F, 4> steps_across(const Value& value, std::ptrdiff_t s,
+                                                    std::ptrdiff_t t) {
+    const F left = value(0), right = value(s);
+    return {left - value(-t), value(t) - left, right - value(s - t), value(s + t) - right};
+}
+template <class F>
+PASTOSO_LANE_FUNCTION F mean_step(const std::array<F, 4>& steps) {
+    return F(0.25F) * ((steps[0] + steps[1]) + (steps[2] + steps[3]));
+}
+
+/// How much a value rises from cell to cell along a face: the mean over those of its steps that lie
+/// within the film, where the cells are wet(n).
 template <class F, class Value, class Wet>
 PASTOSO_LANE_FUNCTION F difference_across(const Value& value, const Wet& wet, std::ptrdiff_t s,
                                           std::ptrdiff_t t) {
-    const F left = value(0), right = value(s);
-    const F steps[4] = {left - value(-t), value(t) - left, right - value(s - t), value(s + t) - right};
+    const std::array<F, 4> steps = steps_across<F>(value, s, t);
     const auto wet_left = wet(0), wet_right = wet(s);
     const decltype(wet(0)) inside[4] = {wet_left && wet(-t), wet_left && wet(t), wet_right && wet(s - t),
                                         wet_right && wet(s + t)};
-    if (lanes::all((inside[0] && inside[1]) && (inside[2] && inside[3])))
-        return F(0.25F) * ((steps[0] + steps[1]) + (steps[2] + steps[3]));
+    if (lanes::all((inside[0] && inside[1]) && (inside[2] && inside[3]))) return mean_step(steps);
     const auto part = [&](int n) { return lanes::select(inside[n], steps[n], F(0.0F)); };
     const auto count = [&](int n) { return lanes::select(inside[n], F(1.0F), F(0.0F)); };
     const F counted = (count(0) + count(1)) + (count(2) + count(3));

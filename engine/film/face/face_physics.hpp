@@ -174,13 +174,20 @@ PASTOSO_LANE_FUNCTION F drive_along(const FaceNeighbourhood<F>& face, const Step
 
 enum class FaceScheme { Explicit, Large };
 
+/// How a group of faces is put together: by which scheme, and where it is.
+struct FaceKind {
+    FaceScheme scheme = FaceScheme::Explicit;
+    FacePlace place = FacePlace::Anywhere;
+};
+
 /// Where the film's surface leads on through the face. In a large step nothing holds the film's edge
 /// where there is no contact angle: it is a face like any other.
-template <FaceScheme kScheme, class F>
+template <FaceKind kKind, class F>
 PASTOSO_LANE_FUNCTION auto inside_film(const FaceNeighbourhood<F>& face, const StepConstants& step) {
     const auto wet_left = face.h_left > F(step.wet_mm), wet_right = face.h_right > F(step.wet_mm);
+    if (kKind.place == FacePlace::InFilm) return wet_left && wet_right;
     if (!step.has_contact_angle())
-        return kScheme == FaceScheme::Large ? wet_left || wet_right : wet_left && wet_right;
+        return kKind.scheme == FaceScheme::Large ? wet_left || wet_right : wet_left && wet_right;
     return (wet_left && wet_right) && !(ends_left(face) || ends_right(face));
 }
 
@@ -202,7 +209,7 @@ struct FaceDrive {
     F laplacian;         ///< sum of the neighbouring velocities' differences, mm/s
     F thickness;         ///< of the film that passes, mm; 0 where nothing can
     F drag_thickness;    ///< of the film that drags, mm
-    F most_mm;           ///< of paint that a step may carry where the film ends
+    F most_mm;           ///< of paint that a step may carry where the film ends; 0 in the middle of it
     F drag_coefficient;  ///< k_d, times the relative viscosity
     F viscosity;         ///< nu at the face, mm2/s
     [[no_unique_address]] FacePaint<F, kModel> paint;
@@ -224,35 +231,33 @@ PASTOSO_LANE_FUNCTION void add_drag(const FaceNeighbourhood<F>& face, const Step
     }
 }
 
-/// The law, put together. `force` acts along the axis, `force_across` along the face. A branch that no
-/// lane needs is left out, which changes no bit.
-template <FaceModel kModel, FaceScheme kScheme, class F>
-PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>& face,
-                                                      const StepConstants& step, float force,
-                                                      float force_across, const FaceStart<F>& start) {
+/// The law, put together in place. `force` acts along the axis, `force_across` along the face.
+template <FaceModel kModel, FaceKind kKind, class F>
+PASTOSO_LANE_FUNCTION void face_drive(const FaceNeighbourhood<F>& face, const StepConstants& step,
+                                      float force, float force_across, const FaceStart<F>& start,
+                                      FaceDrive<kModel, F>& drive) {
     const F zero(0.0F), dt(step.dt_s);
-    const auto inside = inside_film<kScheme>(face, step);
-    const bool all_inside = lanes::all(inside);
-    ContactFace<F> edge{};
     const FacePaint<F, kModel> paint = face_paint<kModel>(face, step);
     F acceleration = drive_along<kModel>(face, step, F(force), start.pressure_gradient);
     if constexpr (kModel.media) acceleration = acceleration + tension_pull(face, paint, step);
-    if (!all_inside) {
+    const auto inside = inside_film<kKind>(face, step);
+    ContactFace<F> edge;
+    if constexpr (kKind.place == FacePlace::Anywhere) {
         edge = contact_face(face, paint, step, F(force));
         acceleration = lanes::select(inside, acceleration, edge.acceleration);
     }
-    FaceDrive<kModel, F> drive;
     drive.paint = paint;
     drive.driven = start.momentum + dt * acceleration;
     drive.thickness = upwind_thickness(face, drive.driven);
-    if constexpr (kScheme == FaceScheme::Large) {
+    if constexpr (kKind.scheme == FaceScheme::Large) {
         // Either cell may be dry.
         const auto donor_wet =
             lanes::select(drive.driven > zero, face.h_left, face.h_right) > F(step.wet_mm);
         drive.thickness = lanes::select(donor_wet && drive.driven != zero, drive.thickness, zero);
     }
     drive.drag_thickness = drive.thickness;
-    if (!all_inside) {
+    drive.most_mm = zero;
+    if constexpr (kKind.place == FacePlace::Anywhere) {
         drive.drag_thickness = lanes::select(inside, drive.thickness, edge.dragging_mm);
         drive.thickness = lanes::select(inside, drive.thickness, edge.passing_mm);
         drive.most_mm = edge.most_mm;
@@ -261,7 +266,6 @@ PASTOSO_LANE_FUNCTION FaceDrive<kModel, F> face_drive(const FaceNeighbourhood<F>
     add_drag(face, step, start.along, drive);
     drive.across = zero;
     if constexpr (kModel.yield) drive.across = face.v + dt * (F(force_across) - start.gradient_across);
-    return drive;
 }
 
 /// lambda of what is put together.

@@ -96,8 +96,9 @@ struct LargeFaceRow {
     FaceArray<float>& carried;  ///< momentum that arrives, mm/s
     LargeTile& tile;            ///< what is found out about its motion before the step
 
-    FaceNeighbourhood<Lanes> face_at(int x) const {
-        return neighbourhood<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y));
+    template <FacePlace kPlace>
+    [[gnu::always_inline]] FaceNeighbourhood<Lanes> face_at(int x) const {
+        return neighbourhood<kModel, kPlace>(scratch, step, axis, AlongRow{}, block_index(x, y));
     }
 
     bool is_shut(int x) const { return is_dry(scratch.block, step, block_index(x, y), axis.along); }
@@ -117,7 +118,7 @@ struct LargeFaceRow {
         Lanes fastest(0.0F);
         for_each_lane_group(first_x, kTileSize, [&](int x) {
             if (is_shut(x)) return;
-            const FaceNeighbourhood<Lanes> face = face_at(x);
+            const FaceNeighbourhood<Lanes> face = face_at<FacePlace::InFilm>(x);
             const Lanes viscosity = old_viscosity(face);
             store(&carried[face_index(x, y)], saturated(carried_velocity(face, viscosity, step), step));
             fastest = lanes::max(fastest, lanes::abs(face.u));
@@ -129,20 +130,31 @@ struct LargeFaceRow {
     /// faces' velocities.
     void drive(bool thinned) const {
         for_each_lane_group(first_x, kTileSize, [&](int x) {
-            const int f = face_index(x, y), i = block_index(x, y);
-            if (is_shut(x)) return shut_group(f);
-            const FaceNeighbourhood<Lanes> face = face_at(x);
-            if (!thinned) store(&faces.first[f], face.u);
-            const Lanes gradient =
-                (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
-            const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
-            const auto shut = load(&faces.drag[f]) < Lanes(0.0F) && load(&faces.depth[f]) == Lanes(0.0F);
-            if constexpr (kModel.shear_thinning) thin_by(face, along, f);
-            // What pressure drives along the faces is in the answer to it.
-            drive_faces(face, {load(&carried[f]), gradient, Lanes(0.0F), along}, x);
-            // What is shut stays so when it is assembled again.
-            if (thinned && lanes::any(shut)) put_explicit(shut, Lanes(0.0F), Lanes(0.0F), f);
+            if (is_shut(x)) return shut_group(face_index(x, y));
+            if (are_in_film<kModel>(scratch, step, axis, block_index(x, y)))
+                drive_group<FacePlace::InFilm>(x, thinned);
+            else
+                drive_near_end(x, thinned);
         });
+    }
+    /// Not inlined: what it keeps in registers would slow down the faces in the middle of the film.
+    [[gnu::noinline]] void drive_near_end(int x, bool thinned) const {
+        drive_group<FacePlace::Anywhere>(x, thinned);
+    }
+
+    template <FacePlace kPlace>
+    [[gnu::always_inline]] void drive_group(int x, bool thinned) const {
+        const int f = face_index(x, y), i = block_index(x, y);
+        const FaceNeighbourhood<Lanes> face = face_at<kPlace>(x);
+        if (!thinned) store(&faces.first[f], face.u);
+        const Lanes gradient = (load(lag + i + axis.along) - load(lag + i)) * Lanes(step.inverse_cell);
+        const Lanes along = kModel.shear_thinning && thinned ? load(&faces.velocity[f]) : face.u;
+        const auto shut = load(&faces.drag[f]) < Lanes(0.0F) && load(&faces.depth[f]) == Lanes(0.0F);
+        if constexpr (kModel.shear_thinning) thin_by(face, along, f);
+        // What pressure drives along the faces is in the answer to it.
+        drive_faces<kPlace>(face, {load(&carried[f]), gradient, Lanes(0.0F), along}, x);
+        // What is shut stays so when it is assembled again.
+        if (thinned && lanes::any(shut)) put_explicit(shut, Lanes(0.0F), Lanes(0.0F), f);
     }
 
     /// The velocities that the paint is thinned by. Their whole counts, of which only the part along the
@@ -161,13 +173,15 @@ struct LargeFaceRow {
     }
 
     /// Stores depth, drag and what drives a group of faces; where some are explicit, their flow as well.
+    template <FacePlace kPlace>
     [[gnu::always_inline]] void drive_faces(const FaceNeighbourhood<Lanes>& face,
                                             const FaceStart<Lanes>& start, int x) const {
         const int f = face_index(x, y);
         const Lanes zero(0.0F), dt(step.dt_s), force(axis.force);
-        const auto inside = inside_film<FaceScheme::Large>(face, step);
-        const FaceDrive<kModel, Lanes> drive =
-            face_drive<kModel, FaceScheme::Large>(face, step, axis.force, axis.force_across, start);
+        constexpr FaceKind kKind{FaceScheme::Large, kPlace};
+        const auto inside = inside_film<kKind>(face, step);
+        FaceDrive<kModel, Lanes> drive;
+        face_drive<kModel, kKind>(face, step, axis.force, axis.force_across, start, drive);
         const Lanes rate = drag_rate(drive, step).rate;
         const Lanes drag = lanes::min(Lanes(rate * dt), Lanes(1e12F));
         Lanes resistance(0.0F), yield_speed(0.0F);
@@ -185,6 +199,7 @@ struct LargeFaceRow {
         store(&faces.driven[f], Lanes(momentum + dt * followed));
         store(&faces.drag[f], drag);
         store(&faces.depth[f], drive.thickness);
+        if constexpr (kPlace == FacePlace::InFilm) return;
         if (lanes::all(inside)) return;
 
         Lanes across(0.0F);
@@ -298,8 +313,8 @@ void weight_row(const TileScratch& scratch, const StepConstants& step, int first
             inner = one / lanes::sqrt(Lanes(one + slope * slope + slope_across * slope_across));
         }
         Lanes result = inner;
-        if (step.has_contact_angle()) {
-            const auto wet_left = load(h + left) > wet, wet_right = load(h + right) > wet;
+        const auto wet_left = load(h + left) > wet, wet_right = load(h + right) > wet;
+        if (step.has_contact_angle() && !lanes::all(wet_left && wet_right)) {
             const Lanes edge = lanes::select(wet_left, edge_weight(left),
                                              lanes::select(wet_right, edge_weight(right), zero));
             result = lanes::select(wet_left && wet_right, inner, edge);
