@@ -27,12 +27,29 @@ bool remembers_motion(const FlowExtremes& flow, double seconds) {
     return flow.thickness_mm * seconds < kInertialDrag * flow.mobility;
 }
 
+/// Cells of this size and larger ones count for the unseen, and of smaller ones as many as that, up to
+/// almost a whole cell, which is what a step carries paint at most.
+constexpr double kSeenCell_mm = 0.25, kMostCells = 4.0;
+constexpr double kMostTravel_cells = 0.8;
+
 }  // namespace
+
+UnseenTravel::UnseenTravel(double cell_mm) {
+    const double unseen_mm = std::clamp(kSeenCell_mm, cell_mm, kMostCells * cell_mm);
+    const auto travel_mm = [&](double share) {
+        return static_cast<float>(std::min(share * unseen_mm, kMostTravel_cells * cell_mm));
+    };
+    at_rest_mm = travel_mm(1e-3);
+    waking_mm = travel_mm(5e-4);
+    waiting_mm = travel_mm(0.2);
+    touched_mm = travel_mm(0.4);
+    dammed_mm = travel_mm(0.02);
+}
 
 ActivityMap::ActivityMap(grid::Shape shape, double cell_mm, bool sleeping, bool periodic_x,
                          bool periodic_y)
     : shape_(shape),
-      cell_mm_(static_cast<float>(cell_mm)),
+      unseen_(cell_mm),
       sleeping_(sleeping),
       periodic_x_(periodic_x),
       periodic_y_(periodic_y),
@@ -78,7 +95,7 @@ int ActivityMap::calls_to_wait(int tile, double seconds, double longest_wait_s) 
     if (!activity.measured || remembers_motion(activity.extremes, seconds)) return 1;
     const bool touched = activity.changed_from_outside;
     const int most_calls = touched ? kMostCallsWhileTouched : kLongestPace;
-    const double allowed_mm = cell_mm_ * (touched ? kTouchedTravel_cells : kUnhurriedTravel_cells);
+    const double allowed_mm = touched ? unseen_.touched_mm : unseen_.waiting_mm;
     const double travel_mm = speed_mm_s(tile) * seconds;
     int calls = 1;
     while (2 * calls <= most_calls && 2 * calls * seconds <= longest_wait_s &&
@@ -92,7 +109,7 @@ int ActivityMap::calls_to_dam_up(int tile, int other, Side side, double seconds)
     const float speed =
         std::max(tiles_[tile].side_speeds_mm_s[side], tiles_[other].side_speeds_mm_s[opposite(side)]);
     int calls = 1;
-    while (2 * calls * seconds * speed <= kDammedTravel_cells * cell_mm_ && calls < kLongestPace)
+    while (2 * calls * seconds * speed <= unseen_.dammed_mm && calls < kLongestPace)
         calls *= 2;
     return calls;
 }
@@ -187,14 +204,14 @@ bool ActivityMap::record(int tile, float dt_s, const std::optional<TileMotion>& 
     activity.window_s += dt_s;
     if (motion) activity.motion = *motion;
     for (int side = 0; side < kSideCount; ++side) {
-        if (activity.motion.near_side_mm[side] <= kWakingTravel_cells * cell_mm_) continue;
+        if (activity.motion.near_side_mm[side] <= unseen_.waking_mm) continue;
         const int other = neighbour(tile, static_cast<Side>(side));
         if (other < 0 || tiles_[other].awake) continue;
         wake(other);
         tiles_[other].stepping = true;
     }
     if (activity.window_s < kRestWindow_s) return false;
-    const bool at_rest = sleeping_ && activity.motion.largest_mm < kRestTravel_cells * cell_mm_;
+    const bool at_rest = sleeping_ && activity.motion.largest_mm < unseen_.at_rest_mm;
     activity.window_s = 0.0F;
     activity.motion = {};
     if (at_rest) activity = TileActivity{};

@@ -39,23 +39,28 @@ struct TileActivity {
     SideSpeeds side_speeds_mm_s{};  ///< likewise
 };
 
-/// Paint that has moved less than this over a window counts as at rest: a thousandth of a cell in half a
-/// second.
+/// How far paint may move unseen. Where cells are smaller than a quarter of a millimetre, that is as far
+/// as in those: an eye sees millimetres, and finer cells are no reason to step paint more often.
+struct UnseenTravel {
+    explicit UnseenTravel(double cell_mm);
+
+    /// Paint that has moved less than this over a window of kRestWindow_s counts as at rest: a
+    /// thousandth of a cell.
+    float at_rest_mm;
+    /// Motion beside an edge that wakes the tile behind it.
+    float waking_mm;
+    /// Paint may wait for as long as it moves by less than this: a fifth of a cell.
+    float waiting_mm;
+    /// The same while a tool works on the paint, which moves it much further than it flows.
+    float touched_mm;
+    /// Two tiles that wait differently dam up what flows from one to the other until the slower one is
+    /// stepped: they do so only while that is less than what fills this much of a cell.
+    float dammed_mm;
+};
 inline constexpr float kRestWindow_s = 0.5F;
-inline constexpr float kRestTravel_cells = 1e-3F;
-/// Motion beside an edge that wakes the tile behind it.
-inline constexpr float kWakingTravel_cells = 5e-4F;
 
-/// Paint may wait for as long as it moves by less than this share of a cell.
-inline constexpr float kUnhurriedTravel_cells = 0.2F;
-
-/// The same while a tool works on the paint, which moves it much further than it flows; and the most
-/// calls of let_pass() that it waits then.
-inline constexpr float kTouchedTravel_cells = 0.4F;
+/// The most calls of let_pass() that paint waits on which a tool works.
 inline constexpr int kMostCallsWhileTouched = 4;
-/// Two tiles that wait differently dam up what flows from one to the other until the slower one is
-/// stepped: they do so only while that is less than this share of what a cell holds.
-inline constexpr float kDammedTravel_cells = 0.02F;
 
 class ActivityMap {
   public:
@@ -104,7 +109,7 @@ class ActivityMap {
     void end_group();
 
     grid::Shape shape_;
-    float cell_mm_;
+    UnseenTravel unseen_;
     bool sleeping_, periodic_x_, periodic_y_;
     std::int64_t calls_ = 0;
     double group_waited_s_ = 0.0;

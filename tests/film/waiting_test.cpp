@@ -58,13 +58,35 @@ TEST(Waiting, PaintGoesWhereItWouldHaveGone) {
             apart_mm += apart;
             furthest_mm = std::max(furthest_mm, apart);
         }
-    // A tile may lag by a fifth of a cell of travel, which is as much of thickness on the blob's flanks,
-    // whose slope is about one where they flow; what tiles dam up at their sides is much less.
-    EXPECT_LT(furthest_mm, 0.2 * 0.125);
-    EXPECT_LT(apart_mm / moved_mm, 0.02);
+    // A tile may lag by as far as it may go unseen, which is as much of thickness on the blob's flanks,
+    // whose slope is about one where they flow; what tiles dam up at their sides is much less. In all,
+    // where a fifth of a cell was allowed 1.6 % of what had moved was still elsewhere; two fifths are.
+    const double unseen_mm = UnseenTravel(0.125).waiting_mm;
+    EXPECT_LT(furthest_mm, unseen_mm);
+    EXPECT_LT(apart_mm / moved_mm, 0.02 * unseen_mm / (0.2 * 0.125));
     EXPECT_LT(waiting.report.cells_stepped, 0.5 * punctual.report.cells_stepped);
     // Groups of several paces: a step goes over half of the tiles on average at most.
     EXPECT_LT(waiting.report.cells_stepped, waiting.report.steps * (320 * 192 / 2));
+}
+
+TEST(Waiting, WhatGoesUnseenIsALengthWhereCellsAreFine) {
+    const UnseenTravel coarse(1.0), quarter(0.25), eighth(0.125), sixteenth(0.0625), hair(0.01);
+    EXPECT_FLOAT_EQ(coarse.waiting_mm, 0.2F) << "of cells, where they are large";
+    EXPECT_FLOAT_EQ(coarse.touched_mm, 0.4F);
+    EXPECT_FLOAT_EQ(coarse.dammed_mm, 0.02F);
+    EXPECT_FLOAT_EQ(coarse.at_rest_mm, 0.001F);
+    EXPECT_FLOAT_EQ(coarse.waking_mm, 0.0005F);
+    EXPECT_FLOAT_EQ(quarter.waiting_mm, 0.05F);
+    for (const UnseenTravel& fine : {eighth, sixteenth}) {
+        EXPECT_EQ(fine.waiting_mm, quarter.waiting_mm);
+        EXPECT_EQ(fine.dammed_mm, quarter.dammed_mm);
+        EXPECT_EQ(fine.at_rest_mm, quarter.at_rest_mm);
+        EXPECT_EQ(fine.waking_mm, quarter.waking_mm);
+    }
+    EXPECT_EQ(eighth.touched_mm, quarter.touched_mm);
+    EXPECT_FLOAT_EQ(sixteenth.touched_mm, 0.8F * 0.0625F) << "a step carries paint by a cell at most";
+    EXPECT_FLOAT_EQ(hair.waiting_mm, 0.8F * 0.01F) << "and four cells stand for one of them at most";
+    EXPECT_FLOAT_EQ(hair.dammed_mm, 4.0F * 0.02F * 0.01F);
 }
 
 class WaitingAtEdges : public testing::TestWithParam<Edge> {};
