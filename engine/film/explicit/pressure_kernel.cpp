@@ -86,15 +86,6 @@ struct EndSlope {
     const float* normal_along;
     int along;
 
-    /// Whether a group of faces has none of these.
-    [[gnu::always_inline]] bool is_far_from(int left) const {
-        const float* h = scratch.block.thickness.data() + left;
-        const float* end_slope = scratch.ends.slope.data() + left;
-        const Lanes thinnest = lanes::min(load(h), load(h + along));
-        const Lanes ends = lanes::max(load(end_slope), load(end_slope + along));
-        return lanes::all(thinnest > Lanes(step.wet_mm) && ends == Lanes(0.0F));
-    }
-
     /// Puts that slope in place of the film's. Not inlined: what it keeps in registers would slow down
     /// the faces far from it.
     [[gnu::noinline]] void bound(int left, Lanes& slope) const {
@@ -142,7 +133,8 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
                                    ((load(eta + left + across) - load(eta + left - across)) +
                                     (load(eta + right + across) - load(eta + right - across)));
         Lanes result = bent<kFullCurvature>(slope, slope_across);
-        if (step.has_contact_angle() && !end.is_far_from(left)) end.bound(left, result);
+        if (step.has_contact_angle() && !are_off_ends(scratch, step, axis, left))
+            end.bound(left, result);
         if (step.media) result = relative_tension(scratch.block, step, left, right) * result;
         store(slopes + left, result);
     });

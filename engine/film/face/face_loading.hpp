@@ -64,20 +64,28 @@ template <class Load>
             .normal_along = load_at(along_x ? &ends.normal_x[i] : &ends.normal_y[i])};
 }
 
-/// Whether a group of faces along a row, from cell i of the block on, is in the middle of the film.
+/// Whether the film ends in no cell at a group of faces along a row, from cell i of the block on.
+[[maybe_unused, gnu::always_inline]] inline bool are_off_ends(const TileScratch& scratch,
+                                                              const StepConstants& step, int along,
+                                                              int i) {
+    const float* h = scratch.block.thickness.data() + i;
+    if (!lanes::all(lanes::min(load(h), load(h + along)) > Lanes(step.wet_mm))) return false;
+    if (!step.has_contact_angle()) return true;
+    const float* end_slope = scratch.ends.slope.data() + i;
+    return lanes::all(lanes::max(load(end_slope), load(end_slope + along)) == Lanes(0.0F));
+}
+
+/// Whether they are in the middle of the film, for all that the model looks at.
 template <FaceModel kModel>
 [[gnu::always_inline]] inline bool are_in_film(const TileScratch& scratch, const StepConstants& step,
                                                const Axis& axis, int i) {
+    if (!are_off_ends(scratch, step, axis.along, i)) return false;
+    if constexpr (!kModel.yield) return true;
     const float* h = scratch.block.thickness.data() + i;
     const int s = axis.along, t = axis.across;
-    Lanes thinnest = lanes::min(load(h), load(h + s));
-    if constexpr (kModel.yield)
-        thinnest = lanes::min(thinnest, lanes::min(lanes::min(load(h - t), load(h + t)),
-                                                   lanes::min(load(h + s - t), load(h + s + t))));
-    if (!lanes::all(thinnest > Lanes(step.wet_mm))) return false;
-    if (!step.has_contact_angle()) return true;
-    const float* end_slope = scratch.ends.slope.data() + i;
-    return lanes::all(lanes::max(load(end_slope), load(end_slope + s)) == Lanes(0.0F));
+    const Lanes thinnest =
+        lanes::min(lanes::min(load(h - t), load(h + t)), lanes::min(load(h + s - t), load(h + s + t)));
+    return lanes::all(thinnest > Lanes(step.wet_mm));
 }
 
 template <FaceModel kModel, FacePlace kPlace, class Load>
