@@ -39,8 +39,8 @@ UnseenTravel::UnseenTravel(double cell_mm) {
     const auto travel_mm = [&](double share) {
         return static_cast<float>(std::min(share * unseen_mm, kMostTravel_cells * cell_mm));
     };
-    at_rest_mm = travel_mm(1e-3);
-    waking_mm = travel_mm(5e-4);
+    at_rest_mm = 1e-3F * static_cast<float>(cell_mm);
+    waking_mm = 5e-4F * static_cast<float>(cell_mm);
     waiting_mm = travel_mm(0.2);
     touched_mm = travel_mm(0.4);
     dammed_mm = travel_mm(0.02);

@@ -39,8 +39,8 @@ struct TileActivity {
     SideSpeeds side_speeds_mm_s{};  ///< likewise
 };
 
-/// How far paint may move unseen. Where cells are smaller than a quarter of a millimetre, that is as far
-/// as in those: an eye sees millimetres, and finer cells are no reason to step paint more often.
+/// How far paint may move unseen. What waits catches up: an eye sees millimetres, and in cells smaller
+/// than a quarter of one it may go as far as in those. What rests stays behind, and goes by cells.
 struct UnseenTravel {
     explicit UnseenTravel(double cell_mm);
 
