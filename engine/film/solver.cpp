@@ -448,14 +448,14 @@ std::optional<AdvanceReport> Solver::advance_unless(const std::function<bool()>&
     const ActivityMap activity = parts_->activity;
     const auto window_start = parts_->window_start;
     const Totals runoff = parts_->runoff;
-    const LargeStepper::Pressures pressures = parts_->large.pressures();
+    LargeStepper::Pressures pressures = parts_->large.pressures();
     AdvanceReport report;
     if (parts_->advance(seconds, cancelled, report)) return report;
     parts_->state = state;
     parts_->activity = activity;
     parts_->window_start = window_start;
     parts_->runoff = runoff;
-    parts_->large.restore(pressures);
+    parts_->large.restore(std::move(pressures));
     return std::nullopt;
 }
 
@@ -482,7 +482,7 @@ int Solver::awake_tile_count() const {
 
 SolverState Solver::state() const {
     SolverState state{.calls = parts_->activity.calls(), .runoff = parts_->runoff};
-    const LargeStepper::Pressures pressures = parts_->large.pressures();
+    const LargeStepper::Pressures& pressures = parts_->large.pressures();
     for (int tile = 0; tile < parts_->state.shape.tile_count(); ++tile) {
         const TileActivity& activity = parts_->activity.tile(tile);
         if (activity.awake) {
@@ -506,7 +506,7 @@ void Solver::restore(const SolverState& state) {
     LargeStepper::Pressures pressures(parts_->window_start.size());
     for (const SolverState::TilePressure& known : state.pressures)
         pressures[known.tile] = known.pressure_mm2_s2;
-    parts_->large.restore(pressures);
+    parts_->large.restore(std::move(pressures));
     parts_->runoff = state.runoff;
 }
 

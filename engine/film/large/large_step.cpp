@@ -35,6 +35,8 @@ constexpr int kMostCycles = 8;
 constexpr float kUsable = 0.25F;
 constexpr int kMostSharePasses = 6;
 constexpr int kMostSlowings = 6;
+/// What is left, after another step, of how many tiles count as needed lately.
+constexpr double kStillNeeded = 0.99;
 
 Shortage total(const std::vector<Shortage>& shortages) {
     Shortage sum;
@@ -195,7 +197,7 @@ struct LargeStepper::Pass {
     /// The tile that takes part in the step at these tile coordinates, or null.
     LargeTile* partner(int tile_x, int tile_y) const {
         const int tile = tile_y * state.shape.tiles_x() + tile_x;
-        return stepper.taking_part_[tile] ? stepper.tiles_[tile].get() : nullptr;
+        return stepper.tiles_[tile];
     }
     /// The same for coordinates that may be one beyond the canvas: periodic edges lead to the other
     /// side.
@@ -216,9 +218,10 @@ struct LargeStepper::Pass {
     }
     auto last_pressures() const {
         return [this](int tile_x, int tile_y, int y) -> const float* {
-            const LargeTile* tile = partner(tile_x, tile_y);
-            if (tile == nullptr || !tile->last_pressure) return nullptr;
-            return tile->last_pressure.read() + y * kTileSize;
+            const int tile = tile_y * state.shape.tiles_x() + tile_x;
+            const grid::TileBlock<float>& pressure = stepper.last_pressures_[tile];
+            if (stepper.tiles_[tile] == nullptr || !pressure) return nullptr;
+            return pressure.read() + y * kTileSize;
         };
     }
     auto thickness_rows() const {
@@ -614,7 +617,7 @@ std::vector<TileResult> LargeStepper::Pass::finish() {
                       worker.tile.block.quanta);
         gather_next(place, cells(&LargeTile::share), large.share);
         if (!place.closed.inside)
-            tile.last_pressure = grid::TileBlock<float>::copy_of(tile.pressure.data());
+            stepper.last_pressures_[place.tile] = grid::TileBlock<float>::copy_of(tile.pressure.data());
         worker.tile.large_fluxes = true;
         gather_window(columns(place).next_cells, rows(place).next_cells, kTileSize + 2, kBlockStride,
                       cells(&LargeTile::supply), &worker.tile.supply[block_index(-1, -1)]);
@@ -645,7 +648,7 @@ void LargeStepper::settle(FilmState& state, const std::vector<TilePlace>& places
                           std::vector<std::unique_ptr<WorkerScratch>>& workers) const {
     pool.run(places.size(), [&](std::size_t index, int worker) {
         const TilePlace& place = places[index];
-        const LargeTile* tile = tiles_[place.tile].get();
+        const LargeTile* tile = tiles_[place.tile];
         if (tile == nullptr || !tile->inertial) return;
         HaloBlock& block = workers[worker]->tile.block;
         gather_quanta(state.thickness, place.columns, place.rows, place.tile_x, block.quanta);
@@ -655,7 +658,10 @@ void LargeStepper::settle(FilmState& state, const std::vector<TilePlace>& places
 }
 
 LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thread_count)
-    : edge_x_(edge_x), edge_y_(edge_y), tiles_(shape.tile_count()), taking_part_(shape.tile_count(), 0) {
+    : edge_x_(edge_x),
+      edge_y_(edge_y),
+      last_pressures_(shape.tile_count()),
+      tiles_(shape.tile_count(), nullptr) {
     for (int x = 0; x < shape.tiles_x(); ++x)
         columns_.push_back({window_runs(x, shape.width, edge_x, 1),
                             window_runs(x, shape.width, edge_x, kWindowMargin),
@@ -668,31 +674,27 @@ LargeStepper::LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thre
         scratch_.push_back(std::make_unique<LargeScratch>());
 }
 
-LargeStepper::Pressures LargeStepper::pressures() const {
-    Pressures pressures(tiles_.size());
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-        if (tiles_[tile]) pressures[tile] = tiles_[tile]->last_pressure;
-    return pressures;
+void LargeStepper::forget(int tile) {
+    last_pressures_[tile] = {};
+    tiles_[tile] = nullptr;
 }
 
-void LargeStepper::restore(const Pressures& pressures) {
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
-        tiles_[tile].reset();
-        if (!pressures[tile]) continue;
-        tiles_[tile] = std::make_unique<LargeTile>();
-        tiles_[tile]->last_pressure = pressures[tile];
-    }
+void LargeStepper::lend_tiles(const std::vector<TilePlace>& places) {
+    std::fill(tiles_.begin(), tiles_.end(), nullptr);
+    lately_needed_ = std::max(static_cast<double>(places.size()), lately_needed_ * kStillNeeded);
+    if (static_cast<double>(spare_tiles_.size()) > 2.0 * lately_needed_)
+        spare_tiles_.resize(static_cast<std::size_t>(lately_needed_));
+    while (spare_tiles_.size() < places.size())
+        spare_tiles_.push_back(std::make_unique<LargeTile>());
+    for (std::size_t index = 0; index < places.size(); ++index)
+        tiles_[places[index].tile] = spare_tiles_[index].get();
 }
 
 std::vector<TileResult> LargeStepper::step(const FilmState& state, const std::vector<TilePlace>& places,
                                            const StepConstants& step, core::ThreadPool& pool,
                                            std::vector<std::unique_ptr<WorkerScratch>>& workers,
                                            bool accept_any, LargeStepReport& report) {
-    std::fill(taking_part_.begin(), taking_part_.end(), 0);
-    for (const TilePlace& place : places) {
-        taking_part_[place.tile] = 1;
-        if (!tiles_[place.tile]) tiles_[place.tile] = std::make_unique<LargeTile>();
-    }
+    lend_tiles(places);
     const auto is_usable = [&] { return report.residual <= kUsable || accept_any; };
     Pass pass{*this, state, places, step, pool, workers};
     report = {};

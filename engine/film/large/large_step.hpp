@@ -8,6 +8,7 @@
 #include "film/large/tile_window.hpp"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace pastoso::film {
@@ -21,7 +22,7 @@ struct LargeStepReport {
     std::int64_t clamped_faces = 0;  ///< whose flux was cut to the capacity left ahead
 };
 
-/// Keeps what the large step needs of each tile from one step to the next.
+/// Steps tiles, and keeps the pressure of each from one step to the next.
 class LargeStepper {
   public:
     LargeStepper(grid::Shape shape, Edge edge_x, Edge edge_y, int thread_count);
@@ -41,13 +42,13 @@ class LargeStepper {
                 std::vector<std::unique_ptr<WorkerScratch>>& workers) const;
 
     /// Forgets a tile that fell asleep.
-    void forget(int tile) { tiles_[tile].reset(); }
+    void forget(int tile);
 
     /// What a step leaves for the next one: the pressure of each tile's surface in mm2/s2, where there
     /// was one.
     using Pressures = std::vector<grid::TileBlock<float>>;
-    Pressures pressures() const;
-    void restore(const Pressures& pressures);
+    const Pressures& pressures() const { return last_pressures_; }
+    void restore(Pressures pressures) { last_pressures_ = std::move(pressures); }
 
   private:
     struct Windows {
@@ -57,10 +58,15 @@ class LargeStepper {
     };
     struct Pass;
 
+    void lend_tiles(const std::vector<TilePlace>& places);
+
     Edge edge_x_, edge_y_;
     std::vector<Windows> columns_, rows_;
-    std::vector<std::unique_ptr<LargeTile>> tiles_;
-    std::vector<char> taking_part_;
+    Pressures last_pressures_;
+    std::vector<LargeTile*> tiles_;  ///< of the last step; null where none took part, or sleeps since
+    /// What is lent to them: as many as steps of late have needed.
+    std::vector<std::unique_ptr<LargeTile>> spare_tiles_;
+    double lately_needed_ = 0.0;
     std::vector<std::unique_ptr<LargeScratch>> scratch_;
 };
 

@@ -1,4 +1,4 @@
-// What a large step keeps of a tile between its phases. Faces are stored with the cell on their left or
+// What a large step needs of a tile between its phases. Faces are stored with the cell on their left or
 // above them; those at the tile's left and top edge are kept as well, with the same bits as in the
 // neighbour.
 #pragma once
@@ -66,7 +66,6 @@ struct LargeTile {
     alignas(64) CellArray residual;       ///< Pi + S d - p
     alignas(64)
         PatchArray correction;  ///< of p, found by the sweep under way in the tile and its overlap
-    grid::TileBlock<float> last_pressure;  ///< p of the last step; none where unknown
     alignas(64) CellArray share;           ///< of a cell's outflow that is granted, 0..1
     alignas(64) CellArray next_share;      ///< the same after the pass under way
     alignas(64) CellArray supply;          ///< what a cell holds over what leaves it in the step
