@@ -18,14 +18,6 @@
 namespace pastoso::cli {
 namespace {
 
-std::uint64_t hash_of(const pigment::Image8& image) {
-    core::Hash64 hash;
-    hash.add_value(image.width);
-    hash.add_value(image.height);
-    hash.add(std::span<const std::uint8_t>(image.rgb));
-    return hash.value();
-}
-
 void check_picture_size(const grid::Shape& shape, double scale) {
     const double longest = scale * std::max(shape.width, shape.height);
     const double pixels = scale * scale * shape.width * shape.height;
@@ -48,24 +40,24 @@ PictureReport PictureWriter::write(const document::Painting& painting,
                                    const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
     check_picture_size(snapshot.film.shape, scale_);
-    return save(rendered(snapshot.film, snapshot.ground), scale_ / snapshot.film.cell_mm, path);
+    return save(snapshot.film, snapshot.ground, path);
 }
 
 PictureReport PictureWriter::write_well(const document::Painting& painting,
                                         const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
     const film::FilmState well = snapshot.well.value_or(document::bare_well());
-    return save(rendered(well, snapshot.ground), scale_ / well.cell_mm, path);
+    return save(well, snapshot.ground, path);
 }
 
-PictureReport PictureWriter::write_frame(const document::Painting& painting,
-                                         const std::filesystem::path& path) {
+void PictureWriter::write_frame(const document::Painting& painting, const std::filesystem::path& path) {
     const document::Snapshot snapshot = painting.snapshot();
     pigment::LinearImage frame;
     times_.shade_s += seconds_of([&] {
         frame = recordings::frame_picture({snapshot.film, snapshot.ground, settings()}, canvas_, pool_);
     });
-    return save(frame, scale_ / snapshot.film.cell_mm, path);
+    times_.io_s += seconds_of(
+        [&] { files::write_picture(path, frame, style_.encoding, scale_ / snapshot.film.cell_mm); });
 }
 
 shade::RenderSettings PictureWriter::settings() const {
@@ -75,17 +67,29 @@ shade::RenderSettings PictureWriter::settings() const {
     return wanted;
 }
 
-pigment::LinearImage PictureWriter::rendered(const film::FilmState& film, const pigment::Bands& ground) {
-    pigment::LinearImage linear;
-    times_.shade_s +=
-        seconds_of([&] { linear = shade::render(film, ground, film.shape.cells(), settings(), pool_); });
-    return linear;
-}
-
-PictureReport PictureWriter::save(const pigment::LinearImage& linear, double px_per_mm,
+PictureReport PictureWriter::save(const film::FilmState& film, const pigment::Bands& ground,
                                   const std::filesystem::path& path) {
-    times_.io_s += seconds_of([&] { files::write_picture(path, linear, style_.encoding, px_per_mm); });
-    return {linear.width, linear.height, hash_of(pigment::encode_srgb8(linear))};
+    const recordings::ExportSource source{film, ground, settings()};
+    const shade::Lattice size = recordings::export_lattice(source);
+    core::Hash64 hash;
+    hash.add_value(size.width);
+    hash.add_value(size.height);
+    Stopwatch since_band_began;
+    double rendering_s = 0.0;
+    const auto begin_band = [&](double) {
+        since_band_began = {};
+        return true;
+    };
+    const auto note_rendered = [&](const pigment::LinearImage& rows) {
+        rendering_s += since_band_began.seconds();
+        hash.add(std::span<const std::uint8_t>(pigment::encode_srgb8(rows).rgb));
+    };
+    const double in_all_s = seconds_of([&] {
+        recordings::export_picture(path, source, style_.encoding, pool_, begin_band, note_rendered);
+    });
+    times_.shade_s += rendering_s;
+    times_.io_s += in_all_s - rendering_s;
+    return {size.width, size.height, hash.value()};
 }
 
 void FrameWriter::write_if_due(const document::Painting& painting) {

@@ -20,7 +20,7 @@ struct PictureTimes {
 /// What became of a picture.
 struct PictureReport {
     int width_px = 0, height_px = 0;
-    std::uint64_t hash = 0;  ///< of the size and the 8-bit values in the working space
+    std::uint64_t hash = 0;  ///< of the size and, band by band, the 8-bit values in the working space
 };
 
 class PictureWriter {
@@ -37,14 +37,13 @@ class PictureWriter {
 
     /// The picture for a sequence, as large as that of the canvas named at first
     /// (recordings::frame_picture).
-    PictureReport write_frame(const document::Painting& painting, const std::filesystem::path& path);
+    void write_frame(const document::Painting& painting, const std::filesystem::path& path);
 
     const PictureTimes& times() const { return times_; }
 
   private:
     shade::RenderSettings settings() const;
-    pigment::LinearImage rendered(const film::FilmState& film, const pigment::Bands& ground);
-    PictureReport save(const pigment::LinearImage& linear, double px_per_mm,
+    PictureReport save(const film::FilmState& film, const pigment::Bands& ground,
                        const std::filesystem::path& path);
 
     grid::Shape canvas_;

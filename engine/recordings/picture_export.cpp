@@ -31,7 +31,7 @@ pigment::LinearImage frame_picture(ExportSource source, const grid::Shape& first
 
 files::ExportStatus export_picture(const std::filesystem::path& path, const ExportSource& source,
                                    const files::PictureEncoding& encoding, core::ThreadPool& pool,
-                                   const files::KeepGoing& keep_going) {
+                                   const files::KeepGoing& keep_going, const BandViewer& view) {
     const shade::Lattice lattice = export_lattice(source);
     const files::ImageLayout layout =
         files::picture_layout(path, lattice.width, lattice.height, source.settings.viewing.space,
@@ -42,6 +42,7 @@ files::ExportStatus export_picture(const std::filesystem::path& path, const Expo
         pigment::LinearImage rows;
         const bool complete = for_each_band(lattice, keep_going, [&](const grid::Rect& pixels) {
             render_picture(renderer, source, pixels, &rows);
+            view(rows);
             files::write_picture_rows(writer, layout, rows);
         });
         if (complete) writer.finish();
