@@ -4,14 +4,19 @@
 #include "cli/printing.hpp"
 #include "cli/progress.hpp"
 #include "cli/usage_error.hpp"
+#include "core/memory.hpp"
 #include "core/number_text.hpp"
 #include "core/thread_pool.hpp"
-#include "project/project.hpp"
+#include "document/canvas.hpp"
+#include "files/file_access.hpp"
+#include "project/repainting.hpp"
 #include "recordings/painting_export.hpp"
 #include "recordings/relief_export.hpp"
 
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pastoso::cli {
@@ -25,15 +30,23 @@ recordings::ExportKind kind_of(const ExportOptions& options) {
     return options.layers ? recordings::ExportKind::Layers : recordings::ExportKind::Picture;
 }
 
+bool is_painting(const ExportOptions& options) {
+    return project::is_project_path(options.output);
+}
+
 void check_usage(const ExportOptions& options) {
     if (options.output.empty() && options.well.empty())
         throw UsageError("export needs a picture to make: -o FILE, or --well FILE.");
     if (options.output.empty() && (options.layers || options.maps))
         throw UsageError("--layers and --maps need a file to make: -o FILE.");
     if (options.layers && options.maps) throw UsageError("--layers and --maps exclude each other.");
-    if (!options.output.empty() && recordings::is_relief_path(options.output) &&
+    if (is_painting(options) && !options.again_px_per_mm)
+        throw UsageError(options.output +
+                         ": a painting is made by painting it again: --again PX_PER_MM.");
+    if ((is_painting(options) || recordings::is_relief_path(options.output)) &&
         (options.layers || options.maps))
-        throw UsageError("--layers and --maps are for pictures; " + options.output + " is a relief.");
+        throw UsageError("--layers and --maps are for pictures; " + options.output + " is " +
+                         (is_painting(options) ? "a painting." : "a relief."));
 }
 
 /// What is wanted of the canvas and of the mixing well.
@@ -44,7 +57,7 @@ std::vector<recordings::ExportChoice> choices_of(const ExportOptions& options) {
     choice.picture = options.picture;
     choice.relief = {options.base_mm, options.exaggeration, options.resolution_mm};
     std::vector<recordings::ExportChoice> choices;
-    if (!options.output.empty()) {
+    if (!options.output.empty() && !is_painting(options)) {
         choices.push_back(choice);
         choices.back().kind = kind_of(options);
         choices.back().path = options.output;
@@ -85,6 +98,50 @@ void write(const document::PaintingState& painting, const recordings::ExportChoi
     tell(choice, report);
 }
 
+project::Project loaded(const ExportOptions& options, core::ThreadPool& pool) {
+    project::LoadedProject project = project::load_project(options.project, pool);
+    for (const std::string& note : project.notes)
+        complain(note);
+    return project;
+}
+
+/// Says what should be known before it is painted.
+project::Repainting repainting_of(const ExportOptions& options) {
+    std::vector<std::string> notes;
+    document::Recording strokes = project::load_strokes(options.project, notes);
+    if (strokes.events.empty())
+        for (const std::string& note : notes)
+            complain(note);
+    project::Repainting repainting = project::repainting_of(
+        std::move(strokes), options.project, *options.again_px_per_mm, core::available_memory_bytes());
+    for (const std::string& note : repainting.notes)
+        complain(note);
+    const grid::Shape cells = document::canvas_shape(repainting.strokes.canvas);
+    if (!options.quiet)
+        print("painting %d x %d cells, which takes up to %zu MiB of memory\n", cells.width, cells.height,
+              repainting.memory_bytes >> 20);
+    return repainting;
+}
+
+/// Throws Interrupted where it was stopped.
+project::Project painted_again(const ExportOptions& options, core::ThreadPool& pool) {
+    const project::Repainting repainting = repainting_of(options);
+    Progress progress("painting", Progress::style_for_stderr(options.quiet));
+    std::optional<project::Project> painted =
+        project::repaint(repainting, options.project, pool, [&](double done) {
+            progress.update(done);
+            return !is_interrupted();
+        });
+    if (!painted) throw Interrupted{};
+    return *std::move(painted);
+}
+
+void save(const project::Project& painted, const ExportOptions& options, core::ThreadPool& pool) {
+    project::save_project(options.output, painted, pool);
+    const grid::Shape cells = document::canvas_shape(painted.strokes.canvas);
+    print("%s: the painting in %d x %d cells\n", options.output.c_str(), cells.width, cells.height);
+}
+
 }  // namespace
 
 void run_export(const ExportOptions& options) {
@@ -93,10 +150,11 @@ void run_export(const ExportOptions& options) {
     const std::vector<recordings::ExportChoice> choices = choices_of(options);
     for (const recordings::ExportChoice& choice : choices)
         recordings::check_export(choice);
+    if (is_painting(options)) files::check_writable(options.output);
     core::ThreadPool pool(options.threads);
-    const project::LoadedProject project = project::load_project(options.project, pool);
-    for (const std::string& note : project.notes)
-        complain(note);
+    const project::Project project =
+        options.again_px_per_mm ? painted_again(options, pool) : loaded(options, pool);
+    if (is_painting(options)) save(project, options, pool);
     for (const recordings::ExportChoice& choice : choices)
         write(project.painting, choice, pool, options.quiet);
 }

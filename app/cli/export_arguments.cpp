@@ -1,6 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/option.hpp"
 #include "cli/shared_arguments.hpp"
+#include "document/canvas.hpp"
 
 namespace pastoso::cli {
 namespace {
@@ -28,8 +29,12 @@ void add_export(CLI::App& program, ExportOptions& options) {
     add_text(command, "PROJECT", options.project, "A painting: FILE.pastoso")->required();
     add_text(command, "-o,--output", options.output,
              "The picture: .png, .tif, .jpg, .webp or .exr; or a relief for 3D printing, in "
-             "millimetres: .stl, .ply or .obj")
+             "millimetres: .stl, .ply or .obj. With --again also a painting: .pastoso")
         ->type_name("FILE");
+    add_number(command, "--again", options.again_px_per_mm,
+               {document::kMinPxPerMm, document::kMaxPxPerMm},
+               "Paint it again from its strokes, on so many cells per millimetre")
+        ->type_name("PX_PER_MM");
     add_text(command, "--well", options.well, "A picture of the mixing well")->type_name("FILE");
     command.add_flag("--layers", options.layers,
                      "Into .exr, beside the picture: lit, albedo, normal, height_mm, wetness, gloss and "
@@ -49,7 +54,8 @@ void add_export(CLI::App& program, ExportOptions& options) {
     add_quiet_flag(command, options.quiet);
     command.footer(
         "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2\n"
-        "  pastoso-cli export painting.pastoso -o painting.stl --base-mm 3 --exaggerate 2");
+        "  pastoso-cli export painting.pastoso -o painting.stl --base-mm 3 --exaggerate 2\n"
+        "  pastoso-cli export painting.pastoso --again 16 -o finer.pastoso");
 }
 
 }  // namespace pastoso::cli

@@ -42,8 +42,9 @@ struct ReplayOptions {
 
 struct ExportOptions {
     std::string project;
-    std::string output;  ///< a picture, or a relief
+    std::string output;  ///< a picture, a relief, or a painting that is painted again
     std::string well;
+    std::optional<double> again_px_per_mm;  ///< to paint it again on such cells first
     double scale = 1.0;
     recordings::PictureOptions picture;
     bool layers = false;  ///< channel groups instead of the lit picture alone

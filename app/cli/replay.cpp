@@ -12,7 +12,7 @@
 #include "core/thread_pool.hpp"
 #include "document/player.hpp"
 #include "files/file_access.hpp"
-#include "project/project.hpp"
+#include "project/repainting.hpp"
 #include "recordings/canvas_support.hpp"
 #include "recordings/replay_stats.hpp"
 
@@ -58,15 +58,9 @@ void play(document::Painting& painting, const document::Recording& recording,
     stop_if_interrupted();
 }
 
-/// A pen that is still down is lifted: files hold paintings between two strokes.
-void save_painting(document::Painting& painting, document::Recording recording, const std::string& path,
-                   core::ThreadPool& pool) {
-    if (painting.stroke_in_progress()) {
-        painting.apply(document::PenUp{});
-        recording.events.push_back({painting.tick(), document::PenUp{}});
-    }
-    recording.arithmetic = document::kArithmetic;
-    project::save_project(path, {painting.state(), std::move(recording)}, pool);
+void save_painting(document::Painting& painting, const document::Recording& recording,
+                   const std::string& path, core::ThreadPool& pool) {
+    project::save_project(path, project::finished_project(painting, recording), pool);
 }
 
 recordings::ReplayStats stats_of(const document::Painting& painting, const PictureTimes& times,

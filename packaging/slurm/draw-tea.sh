@@ -12,16 +12,13 @@
 #   --format NAME, --size WxH, --samples N, --pbrt N, --every N   as of "pastoso-cli tea render"
 #   SBATCH_OPTION    handed on to sbatch, for example: -- --partition=night --time=2:00:00
 source "$(dirname -- "${BASH_SOURCE[0]}")/../common.sh"
+source "$root/packaging/slurm/farm.sh"
 
+readonly too_long="Where it is about the array's size, --per-task makes it shorter."
 readonly most_tasks=1000  # as many as Slurm takes where nobody set MaxArraySize
 
 places=() drawing=() scheduling=()
 per_task="" cpus=2 program="" every=1 format=png dry_run=no
-
-# whole_number OPTION TEXT: from 1 to a million.
-whole_number() {
-    [[ $2 =~ ^([1-9][0-9]{0,5}|1000000)$ ]] || fail "$1: \"$2\" is not a whole number from 1 to 1000000."
-}
 
 read_arguments() {
     while [[ $# -gt 0 ]]; do
@@ -48,14 +45,6 @@ read_option() {
         --format) format="$2"; drawing+=("$1" "$2") ;;
         *) drawing+=("$1" "$2") ;;
     esac
-}
-
-find_program() {
-    [[ -n $program ]] || program="$(type -P pastoso-cli || true)"
-    [[ -n $program ]] || program="$root/build/release/bin/pastoso-cli"
-    [[ -f $program && -x $program ]] ||
-        fail "there is no pastoso-cli at \"$program\"; --program FILE says where it is, packaging/build.sh builds it."
-    program="$(realpath -- "$program")"
 }
 
 # Frames of the sequence, as its index has it: one key a line at the outermost level.
@@ -87,44 +76,17 @@ is_drawn() {
     [[ -e $frames/$(printf "$name" "$1") ]]
 }
 
-# The tasks that have something to draw, as sbatch wants them, "1-3,7": `tasks`, and how many frames: `wanted`.
+# Those that have something to draw, and how many frames: `wanted`.
 list_tasks() {
-    local frame task last_task=0 run_start=0
-    wanted=0 tasks="" task_count=0
+    local frame
+    wanted=0
+    begin_tasks
     for ((frame = every; frame <= count; frame += every)); do
         is_drawn "$frame" && continue
         wanted=$((wanted + 1))
-        task=$(((frame - 1) / per_task + 1))
-        ((task != last_task)) || continue
-        task_count=$((task_count + 1))
-        if ((task != last_task + 1 || run_start == 0)); then
-            close_run
-            run_start=$task
-        fi
-        last_task=$task
+        add_task $(((frame - 1) / per_task + 1))
     done
-    close_run
-}
-
-close_run() {
-    ((run_start > 0)) || return 0
-    tasks+="${tasks:+,}$run_start"
-    ((last_task == run_start)) || tasks+="-$last_task"
-}
-
-submit() {
-    local command=(sbatch --parsable "--array=$tasks" --job-name=pastoso-tea --requeue --open-mode=append
-        "--cpus-per-task=$cpus" "--output=$frames/slurm/%A_%a.log" "${scheduling[@]}"
-        "$root/packaging/slurm/draw-tea-task.sh" "$program" "$cache" "$frames" "$per_task" "$count" "${drawing[@]}")
-    if [[ $dry_run == yes ]]; then
-        printf '%q ' "${command[@]}"
-        printf '\n'
-        exit 0
-    fi
-    mkdir -p -- "$frames/slurm" || fail "\"$frames\" cannot be made."
-    job="$("${command[@]}")" ||
-        fail "sbatch did not take the array; its message stands above. Where it is about the array's size, --per-task makes it shorter."
-    job="${job%%;*}"  # "JOB;CLUSTER" where there are several
+    end_tasks
 }
 
 read_arguments "$@"
@@ -141,11 +103,8 @@ if ((wanted == 0)); then
     say "All frames stand in $frames; nothing is left to draw."
     exit 0
 fi
-[[ $dry_run == yes ]] || type -P sbatch >/dev/null || fail "there is no sbatch on the PATH; run this where jobs are submitted from (Debian: slurm-client)."
-submit
+[[ $dry_run == yes ]] || check_sbatch
+submit_tasks pastoso-tea "$cpus" "$frames" "$root/packaging/slurm/draw-tea-task.sh" "$program" "$cache" "$frames" \
+    "$per_task" "$count" "${drawing[@]}"
 say "$wanted frames to draw, $task_count tasks of up to $per_task frames: job $job"
-cat <<TEXT
-   follow   squeue --jobs=$job; what a task says goes to $frames/slurm/${job}_TASK.log
-   stop     scancel $job
-   resume   the same command again: what is drawn stays, only the rest is submitted
-TEXT
+tell_job "$frames" drawn

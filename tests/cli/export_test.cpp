@@ -2,6 +2,7 @@
 #include "cli/run_program.hpp"
 #include "core/text_file.hpp"
 #include "files/image.hpp"
+#include "source_file.hpp"
 
 #include <gmock/gmock.h>
 
@@ -95,6 +96,48 @@ TEST_F(CliExport, WhatCannotBeDoneIsToldInASentence) {
     refuse({path("missing/b.stl")}, 1, "missing/b.stl: cannot be written (No such file or directory).");
     refuse({path("b.tif"), "--depth", "32", "--profile", write("p.icc", "none")}, 1, "p.icc: is no ICC");
     refuse({path("b.png"), "--scale", "65"}, 2, "65");
+}
+
+TEST_F(CliExport, PaintedAgainItIsWhatAReplayOnSuchCellsIs) {
+    ASSERT_EQ(run_export({path("finer.pastoso"), "--again", "6"}).status, 0);
+    const RunResult direct = run_cli({"replay", "-q", short_recording(), "--canvas", "40x30mm",
+                                      "--px-per-mm", "6", "--seconds", "0.1", "--size-mm", "8",
+                                      "--paint", "PR108", "--save", path("direct.pastoso")});
+    ASSERT_EQ(direct.status, 0) << direct.errors;
+    EXPECT_EQ(core::read_text_file(path("finer.pastoso")), core::read_text_file(path("direct.pastoso")));
+    const RunResult picture =
+        run_export({path("again.png"), "--again", "6", "--well", path("well.png")});
+    EXPECT_THAT(picture.output, HasSubstr(path("again.png") + ": 240 x 180 pixels\n"));
+    ASSERT_EQ(run_cli({"export", "-q", path("finer.pastoso"), "-o", path("finer.png")}).status, 0);
+    EXPECT_EQ(core::read_text_file(path("again.png")), core::read_text_file(path("finer.png")));
+}
+
+TEST_F(CliExport, WhatItTakesToPaintItAgainIsSaidBefore) {
+    const RunResult run = run_cli({"export", painting, "--again", "4", "-o", path("b.pastoso")});
+    EXPECT_THAT(run.output,
+                MatchesRegex("painting 160 x 120 cells, which takes up to [1-9][0-9]* MiB of memory\n" +
+                             path("b.pastoso") + ": the painting in 160 x 120 cells\n"));
+}
+
+TEST_F(CliExport, PicturesAndOldStrokesAreSaidBeforeTheyArePaintedAgain) {
+    ASSERT_EQ(run_export({path("b.png")}).status, 0);
+    const RunResult old = run_cli({"export", "-q", tests::source_file("tests/project/format-3.pastoso"),
+                                   "--again", "5", "-o", path("old.pastoso")});
+    EXPECT_EQ(old.status, 0);
+    EXPECT_THAT(old.errors,
+                HasSubstr("format-3.pastoso: its strokes were painted with an earlier version"));
+    ASSERT_EQ(run_cli({"convert", "-q", path("b.png"), "-o", path("picture.pastoso")}).status, 0);
+    const RunResult picture =
+        run_cli({"export", "-q", path("picture.pastoso"), "--again", "5", "-o", path("c.png")});
+    EXPECT_EQ(picture.status, 0) << picture.errors;
+    EXPECT_THAT(picture.errors, HasSubstr("picture.pastoso: holds a picture, which has no strokes"));
+}
+
+TEST_F(CliExport, APaintingIsNoPicture) {
+    const RunResult run = run_export({path("b.pastoso")});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.errors, HasSubstr("--again PX_PER_MM"));
+    EXPECT_EQ(run_export({path("b.pastoso"), "--again", "4", "--maps"}).status, 2);
 }
 
 }  // namespace

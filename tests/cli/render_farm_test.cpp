@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 const std::string kScript = tests::source_file("packaging/slurm/draw-tea.sh");
+const std::string kPaintScript = tests::source_file("packaging/slurm/paint-again.sh");
 
 const std::string kSbatch = tests::source_file("tests/cli/stand_in_sbatch.sh");
 
@@ -33,8 +34,8 @@ class RenderFarm : public CliTest {
         ASSERT_EQ(run.status, 0) << run.errors;
     }
 
-    RunResult farm(const std::vector<std::string>& more) const {
-        std::vector<std::string> all = {"PATH=" + path("bin") + ":/usr/bin:/bin", "bash", kScript};
+    RunResult farm(const std::vector<std::string>& more, const std::string& script = kScript) const {
+        std::vector<std::string> all = {"PATH=" + path("bin") + ":/usr/bin:/bin", "bash", script};
         all.insert(all.end(), more.begin(), more.end());
         return run_program("/usr/bin/env", all);
     }
@@ -42,6 +43,12 @@ class RenderFarm : public CliTest {
         more.insert(more.begin(), {path("kept"), path("drawn"), "--program",
                                    (core::program_folder() / "pastoso-cli").string()});
         return farm(more);
+    }
+
+    RunResult paint(std::vector<std::string> more) const {
+        more.insert(more.begin(), {path("paintings"), path("finer"), "--program",
+                                   (core::program_folder() / "pastoso-cli").string()});
+        return farm(more, kPaintScript);
     }
 
     std::vector<std::string> drawn(const std::string& name) const {
@@ -104,6 +111,41 @@ TEST_F(RenderFarm, EverySoManyFramesOfPicturesAndScenes) {
     EXPECT_TRUE(fs::exists(path("drawn/milk_0004.png")) && fs::exists(path("drawn/milk_0008.png")));
     ASSERT_EQ(draw({"--every", "10", "--format", "pbrt-scene"}).status, 0);
     EXPECT_THAT(draw({"--every", "10", "--format", "pbrt-scene"}).output, HasSubstr("nothing is left"));
+}
+
+TEST_F(RenderFarm, PaintingsArePaintedAgainEachByATask) {
+    fs::create_directories(path("paintings"));
+    for (const char* name : {"paintings/a.pastoso", "paintings/b c.pastoso", "paintings/d.pastoso"})
+        ASSERT_EQ(run_cli(small({"replay", "-q", short_recording(), "--save", path(name)})).status, 0);
+    write("bin/broken", "3\n");
+    const RunResult first = paint({"--px-per-mm", "3"});
+    ASSERT_EQ(first.status, 0) << first.errors;
+    EXPECT_THAT(first.output, HasSubstr("3 of 3 paintings to paint at 3 cells a millimetre: job 77\n"));
+    EXPECT_THAT(options(), HasSubstr("--array=1-3\n"));
+    EXPECT_FALSE(fs::exists(path("finer/d.pastoso")));
+    fs::remove(path("bin/broken"));
+    EXPECT_THAT(paint({"--px-per-mm", "3"}).output, HasSubstr("1 of 3 paintings"));
+    EXPECT_THAT(options(), HasSubstr("--array=3\n"));
+    EXPECT_THAT(paint({"--px-per-mm", "3"}).output, HasSubstr("nothing is left to paint"));
+    ASSERT_EQ(run_cli({"export", "-q", path("paintings/b c.pastoso"), "--again", "3", "-o",
+                       path("alone.pastoso")})
+                  .status,
+              0);
+    EXPECT_EQ(core::read_text_file(path("finer/b c.pastoso")),
+              core::read_text_file(path("alone.pastoso")));
+    ASSERT_EQ(paint({"--px-per-mm", "2.5", "--format", "png"}).status, 0);
+    EXPECT_TRUE(fs::exists(path("finer/d.png"))) << core::read_text_file(path("bin/log"));
+}
+
+TEST_F(RenderFarm, WhatCannotBePaintedAgainIsSaidInOneSentence) {
+    fs::create_directories(path("paintings"));
+    expect_sentence(paint({}), "--px-per-mm N says");
+    expect_sentence(paint({"--px-per-mm", "fine"}), "--px-per-mm: \"fine\"");
+    expect_sentence(paint({"--px-per-mm", "8", "--format", "gif"}), "--format: \"gif\"");
+    expect_sentence(paint({"--px-per-mm", "8"}), "holds no paintings");
+    expect_sentence(farm({path("paintings"), path("paintings"), "--px-per-mm", "8"}, kPaintScript),
+                    "name another folder");
+    EXPECT_FALSE(fs::exists(path("finer")));
 }
 
 TEST_F(RenderFarm, WhatCannotBeDrawnIsSaidInOneSentence) {
