@@ -105,30 +105,30 @@ project::Project loaded(const ExportOptions& options, core::ThreadPool& pool) {
     return project;
 }
 
-/// Says what should be known before it is painted.
-project::Repainting repainting_of(const ExportOptions& options) {
+/// The strokes on the cells that are wanted. Says what should be known before they are painted.
+document::Recording strokes_again(const ExportOptions& options) {
     std::vector<std::string> notes;
     document::Recording strokes = project::load_strokes(options.project, notes);
     if (strokes.events.empty())
         for (const std::string& note : notes)
             complain(note);
-    project::Repainting repainting = project::repainting_of(
-        std::move(strokes), options.project, *options.again_px_per_mm, core::available_memory_bytes());
-    for (const std::string& note : repainting.notes)
-        complain(note);
-    const grid::Shape cells = document::canvas_shape(repainting.strokes.canvas);
+    strokes.canvas.px_per_mm = *options.again_px_per_mm;
+    const project::RepaintingTerms terms =
+        project::repainting_terms(strokes, options.project, core::available_memory_bytes());
+    for (const std::string& note : terms.notes)
+        complain(options.project + ": " + note);
     if (!options.quiet)
-        print("painting %d x %d cells, which takes up to %zu MiB of memory\n", cells.width, cells.height,
-              repainting.memory_bytes >> 20);
-    return repainting;
+        print("painting %d x %d cells, which takes up to %zu MiB of memory\n", terms.cells.width,
+              terms.cells.height, terms.memory_bytes >> 20);
+    return strokes;
 }
 
 /// Throws Interrupted where it was stopped.
 project::Project painted_again(const ExportOptions& options, core::ThreadPool& pool) {
-    const project::Repainting repainting = repainting_of(options);
+    const document::Recording strokes = strokes_again(options);
     Progress progress("painting", Progress::style_for_stderr(options.quiet));
     std::optional<project::Project> painted =
-        project::repaint(repainting, options.project, pool, [&](double done) {
+        project::repaint(strokes, options.project, pool, [&](double done) {
             progress.update(done);
             return !is_interrupted();
         });

@@ -49,6 +49,8 @@ constexpr CommandText kCommands[] = {
             "See how the painting came about, in a window of its own; the painting stays as it is")},
     CommandText{Command::MakeTimelapse, kFile, QT_TR_NOOP("&Make a time-lapse..."), "Ctrl+Alt+L",
                 QT_TR_NOOP("A film, or numbered pictures, of how the painting came about")},
+    CommandText{Command::PaintAgain, kFile, QT_TR_NOOP("Pa&int it again, finer..."), "Ctrl+Alt+Shift+R",
+                QT_TR_NOOP("All strokes once more, on finer cells, beside the painting on the easel")},
     CommandText{Command::Quit, kFile, QT_TR_NOOP("&Quit"), "Ctrl+Q", QT_TR_NOOP("Close the window"),
                 false, true, Mode::Everywhere},
     CommandText{Command::Undo, kEdit, QT_TR_NOOP("&Undo"), "Ctrl+Z",

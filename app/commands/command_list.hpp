@@ -17,6 +17,7 @@ enum class Command {
     SaveRecording,
     Play,
     MakeTimelapse,
+    PaintAgain,
     Quit,
     Undo,
     Redo,

@@ -26,6 +26,7 @@ constexpr Name kNames[] = {
     {Command::SaveRecording, "save_recording"},
     {Command::Play, "play"},
     {Command::MakeTimelapse, "make_timelapse"},
+    {Command::PaintAgain, "paint_again"},
     {Command::Quit, "quit"},
     {Command::Undo, "undo"},
     {Command::Redo, "redo"},

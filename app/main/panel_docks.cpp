@@ -65,6 +65,7 @@ constexpr std::pair<Command, const char*> kButtonWords[] = {
     {Command::MirrorView, QT_TR_NOOP("Mirror")},
     {Command::Play, QT_TR_NOOP("Watch it grow...")},
     {Command::MakeTimelapse, QT_TR_NOOP("Make a time-lapse...")},
+    {Command::PaintAgain, QT_TR_NOOP("Paint it again, finer...")},
     {Command::SaveRecording, QT_TR_NOOP("Save the recording...")},
 };
 
@@ -91,8 +92,9 @@ void make_panels(Studio& studio, PanelSet& panels) {
                                    view::kSmallestZoom, view::kLargestZoom);
     panels.messages = new panels::MessagePanel;
     panels.messages->follow(studio.messages());
-    panels.recorder = new panels::RecorderPanel(
-        {action(Command::Play), action(Command::MakeTimelapse), action(Command::SaveRecording)});
+    panels.recorder =
+        new panels::RecorderPanel({action(Command::Play), action(Command::MakeTimelapse),
+                                   action(Command::PaintAgain), action(Command::SaveRecording)});
 }
 
 QWidget* make_tool_panel(Studio& studio, PanelSet& panels) {

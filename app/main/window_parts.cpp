@@ -32,6 +32,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       dropped(studio, files, pictures, tracing),
       exporting(studio, files, light),
       recorder(studio, panels.recorder),
+      again(studio, files, light),
       paints(studio, panels.colours),
       memory(studio, panels, light, undo, well, start),
       keys(studio),

@@ -11,6 +11,7 @@
 #include "main/canvas/view_commands.hpp"
 #include "main/files/dropped_files.hpp"
 #include "main/files/exporting.hpp"
+#include "main/files/painting_again.hpp"
 #include "main/files/project_files.hpp"
 #include "main/files/recorder.hpp"
 #include "main/files/start_commands.hpp"
@@ -74,6 +75,7 @@ struct WindowParts {
     DroppedFiles dropped;
     Exporting exporting;
     Recorder recorder;
+    PaintingAgain again;
     PaintSettings paints;
     WindowSettings memory;
     KeyCommands keys;

@@ -20,35 +20,31 @@ bool holds(const document::Recording& strokes) {
     });
 }
 
-std::vector<std::string> notes_of(const document::Recording& strokes, const std::string& name) {
+std::vector<std::string> notes_of(const document::Recording& strokes) {
     std::vector<std::string> notes;
     const std::string older = document::arithmetic_note(strokes.arithmetic);
-    if (!older.empty()) notes.push_back(name + ": its strokes " + older);
+    if (!older.empty()) notes.push_back("its strokes " + older);
     if (holds<document::PaintPicture>(strokes))
-        notes.push_back(name + ": holds a picture, which has no strokes: it comes no finer than it is.");
+        notes.push_back("a picture on it has no strokes, and comes no finer than it is.");
     if (strokes.canvas.support == "image")
-        notes.push_back(name + ": its support is a picture, and comes no finer than that.");
+        notes.push_back("its support is a picture, and comes no finer than that.");
     return notes;
 }
 
 }  // namespace
 
-Repainting repainting_of(document::Recording strokes, const std::string& name, double px_per_mm,
-                         std::size_t available_bytes) {
+RepaintingTerms repainting_terms(const document::Recording& strokes, const std::string& name,
+                                 std::size_t available_bytes) {
     if (strokes.events.empty())
         throw core::InputError(name + ": holds no strokes that could be painted again.");
-    strokes.canvas.px_per_mm = px_per_mm;
     core::naming(name, [&] { document::check_canvas_fits(strokes.canvas, available_bytes); });
-    Repainting repainting{std::move(strokes)};
-    repainting.notes = notes_of(repainting.strokes, name);
-    repainting.memory_bytes =
-        document::estimated_bytes(document::canvas_shape(repainting.strokes.canvas));
-    return repainting;
+    const grid::Shape cells = document::canvas_shape(strokes.canvas);
+    return {cells, document::estimated_bytes(cells), notes_of(strokes)};
 }
 
-std::optional<Project> repaint(const Repainting& repainting, const std::string& name,
-                               core::ThreadPool& pool, const files::KeepGoing& keep_going) {
-    const document::Recording& strokes = repainting.strokes;
+std::optional<Project> repaint(const document::Recording& strokes, const std::string& name,
+                               core::ThreadPool& pool, const files::KeepGoing& keep_going,
+                               const PaintingViewer& view) {
     const std::unique_ptr<document::Painting> painting =
         core::naming(name, [&] { return recordings::make_painting(strokes.canvas, pool); });
     painting->keep_undo_steps(document::undo_depth(strokes));
@@ -60,6 +56,7 @@ std::optional<Project> repaint(const Repainting& repainting, const std::string& 
         } catch (const core::InputError& error) {
             throw core::InputError(name + ", " + error.what());
         }
+        view(*painting);
     }
     return finished_project(*painting, strokes);
 }

@@ -6,29 +6,34 @@
 #include "project/project.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pastoso::project {
 
-/// What is painted, and what should be known before.
-struct Repainting {
-    document::Recording strokes;       ///< on the canvas that they are painted on
-    std::vector<std::string> notes{};  ///< what will be otherwise than it was, in sentences
-    std::size_t memory_bytes = 0;      ///< about what it needs
+/// What painting it takes and makes.
+struct RepaintingTerms {
+    grid::Shape cells;
+    std::size_t memory_bytes = 0;      ///< about what it needs at most
+    std::vector<std::string> notes{};  ///< what will be otherwise; sentences that begin small
 };
 
-/// The strokes on a canvas of `px_per_mm` cells a millimetre. `name` stands for them in sentences.
-/// Throws InputError where there are none, and for a canvas that cannot be or needs more than
+/// Of strokes on the canvas that they are to be painted on. `name` stands for them in sentences. Throws
+/// InputError where there are none, and for a canvas that cannot be or needs more than
 /// `available_bytes`.
-Repainting repainting_of(document::Recording strokes, const std::string& name, double px_per_mm,
-                         std::size_t available_bytes);
+RepaintingTerms repainting_terms(const document::Recording& strokes, const std::string& name,
+                                 std::size_t available_bytes);
+
+/// Is shown the painting after every tick.
+using PaintingViewer = std::function<void(const document::Painting& painting)>;
 
 /// The painting, or nothing where `keep_going` said so. Throws InputError "NAME, event N: ..." for what
 /// cannot be painted there.
-std::optional<Project> repaint(const Repainting& repainting, const std::string& name,
-                               core::ThreadPool& pool, const files::KeepGoing& keep_going);
+std::optional<Project> repaint(
+    const document::Recording& strokes, const std::string& name, core::ThreadPool& pool,
+    const files::KeepGoing& keep_going, const PaintingViewer& view = [](const document::Painting&) {});
 
 /// What a recording has been played on, to be kept: a pen that is still down is lifted, since files hold
 /// paintings between two strokes.

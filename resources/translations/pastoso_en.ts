@@ -2182,6 +2182,14 @@
         <source>The tank as it stood at the beginning; wind and drain stay as they are</source>
         <translation>The tank as it stood at the beginning; wind and drain stay as they are</translation>
     </message>
+    <message>
+        <source>Pa&amp;int it again, finer...</source>
+        <translation>Pa&amp;int it again, finer...</translation>
+    </message>
+    <message>
+        <source>All strokes once more, on finer cells, beside the painting on the easel</source>
+        <translation>All strokes once more, on finer cells, beside the painting on the easel</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2804,6 +2812,25 @@
     <message>
         <source>Discard %1 for good? It is nowhere else.</source>
         <translation>Discard %1 for good? It is nowhere else.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::RepaintDialog</name>
+    <message>
+        <source>Paint it again</source>
+        <translation>Paint it again</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>&amp;Cells per millimetre</source>
+        <translation>&amp;Cells per millimetre</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</translation>
     </message>
 </context>
 <context>
@@ -4216,12 +4243,16 @@
         <source>Pour</source>
         <translation>Pour</translation>
     </message>
+    <message>
+        <source>Paint it again, finer...</source>
+        <translation>Paint it again, finer...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
     <message>
-        <source>A surface is being written already. Try again in a moment.</source>
-        <translation>A surface is being written already. Try again in a moment.</translation>
+        <source>A file is being written already. Try again in a moment.</source>
+        <translation>A file is being written already. Try again in a moment.</translation>
     </message>
 </context>
 <context>
@@ -4526,6 +4557,37 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::PaintingAgain</name>
+    <message>
+        <source>painting</source>
+        <translation>painting</translation>
+    </message>
+    <message>
+        <source>Nothing has been painted yet that could be painted again.</source>
+        <translation>Nothing has been painted yet that could be painted again.</translation>
+    </message>
+    <message>
+        <source>The painting</source>
+        <translation>The painting</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Save</translation>
+    </message>
+    <message>
+        <source>Paintings and pictures (%1)</source>
+        <translation>Paintings and pictures (%1)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Saved %1.</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 × %3 pixels.</source>
+        <translation>Saved %1: %2 × %3 pixels.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
@@ -4665,6 +4727,10 @@
         <source>%1 - %2</source>
         <translation>%1 - %2</translation>
     </message>
+    <message>
+        <source>Paint it again</source>
+        <translation>Paint it again</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::RangeSelection</name>
@@ -4690,6 +4756,69 @@
     <message>
         <source>Nothing has been painted yet that could be shown again.</source>
         <translation>Nothing has been painted yet that could be shown again.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::RepaintWindow</name>
+    <message>
+        <source>Paused</source>
+        <translation>Paused</translation>
+    </message>
+    <message>
+        <source>about %1 left</source>
+        <translation>about %1 left</translation>
+    </message>
+    <message>
+        <source>Painted again on %1 px/mm</source>
+        <translation>Painted again on %1 px/mm</translation>
+    </message>
+    <message>
+        <source>How much is painted</source>
+        <translation>How much is painted</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancel</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Save...</translation>
+    </message>
+    <message>
+        <source>As a painting, or as a picture</source>
+        <translation>As a painting, or as a picture</translation>
+    </message>
+    <message>
+        <source>Put it on the easel</source>
+        <translation>Put it on the easel</translation>
+    </message>
+    <message>
+        <source>It cannot be painted any further</source>
+        <translation>It cannot be painted any further</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Go on</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Close</translation>
+    </message>
+    <message>
+        <source>The painting on finer cells is in no file yet. Throw it away?</source>
+        <translation>The painting on finer cells is in no file yet. Throw it away?</translation>
+    </message>
+    <message>
+        <source>It is not painted to its end yet. Give it up?</source>
+        <translation>It is not painted to its end yet. Give it up?</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Finished</translation>
     </message>
 </context>
 <context>

@@ -2182,6 +2182,14 @@
         <source>The tank as it stood at the beginning; wind and drain stay as they are</source>
         <translation>水槽を最初の状態に戻します。風と排水口はそのままです</translation>
     </message>
+    <message>
+        <source>Pa&amp;int it again, finer...</source>
+        <translation>再描画(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>All strokes once more, on finer cells, beside the painting on the easel</source>
+        <translation>イーゼルの絵はそのままに、すべてのストロークをより細かいセルで描き直します</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2800,6 +2808,25 @@
     <message>
         <source>Discard %1 for good? It is nowhere else.</source>
         <translation>%1 を完全に破棄しますか？ほかの場所には残っていません。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::RepaintDialog</name>
+    <message>
+        <source>Paint it again</source>
+        <translation>再描画</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>&amp;Cells per millimetre</source>
+        <translation>1 mm あたりのセル数(&amp;C)</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 セル。メモリを最大 %3 GiB 使います（空き %4 GiB）。ストロークは別に描き直され、イーゼルの絵はそのまま残ります。</translation>
     </message>
 </context>
 <context>
@@ -4208,12 +4235,16 @@
         <source>Pour</source>
         <translation>注ぐ</translation>
     </message>
+    <message>
+        <source>Paint it again, finer...</source>
+        <translation>再描画...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
     <message>
-        <source>A surface is being written already. Try again in a moment.</source>
-        <translation>すでに表面を書き出しています。少し待ってもう一度お試しください。</translation>
+        <source>A file is being written already. Try again in a moment.</source>
+        <translation>すでにファイルを書き出しています。しばらくしてからもう一度お試しください。</translation>
     </message>
 </context>
 <context>
@@ -4516,6 +4547,37 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::PaintingAgain</name>
+    <message>
+        <source>painting</source>
+        <translation>絵</translation>
+    </message>
+    <message>
+        <source>Nothing has been painted yet that could be painted again.</source>
+        <translation>描き直すものがまだ何も描かれていません。</translation>
+    </message>
+    <message>
+        <source>The painting</source>
+        <translation>この絵</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Paintings and pictures (%1)</source>
+        <translation>絵と画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 × %3 pixels.</source>
+        <translation>%1 を保存しました: %2 × %3 ピクセル。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
@@ -4655,6 +4717,10 @@
         <source>%1 - %2</source>
         <translation>%1 - %2</translation>
     </message>
+    <message>
+        <source>Paint it again</source>
+        <translation>再描画</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::RangeSelection</name>
@@ -4680,6 +4746,69 @@
     <message>
         <source>Nothing has been painted yet that could be shown again.</source>
         <translation>再生できるものはまだ描かれていません。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::RepaintWindow</name>
+    <message>
+        <source>Paused</source>
+        <translation>一時停止中</translation>
+    </message>
+    <message>
+        <source>about %1 left</source>
+        <translation>残り約 %1</translation>
+    </message>
+    <message>
+        <source>Painted again on %1 px/mm</source>
+        <translation>%1 px/mm で再描画</translation>
+    </message>
+    <message>
+        <source>How much is painted</source>
+        <translation>描き終えた割合</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
+    </message>
+    <message>
+        <source>As a painting, or as a picture</source>
+        <translation>絵として、または画像として</translation>
+    </message>
+    <message>
+        <source>Put it on the easel</source>
+        <translation>イーゼルに載せる</translation>
+    </message>
+    <message>
+        <source>It cannot be painted any further</source>
+        <translation>これ以上描けません</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>The painting on finer cells is in no file yet. Throw it away?</source>
+        <translation>より細かいセルで描いた絵は、まだどのファイルにもありません。破棄しますか？</translation>
+    </message>
+    <message>
+        <source>It is not painted to its end yet. Give it up?</source>
+        <translation>まだ最後まで描かれていません。中止しますか？</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>完了</translation>
     </message>
 </context>
 <context>

@@ -2182,6 +2182,14 @@
         <source>The tank as it stood at the beginning; wind and drain stay as they are</source>
         <translation>Tanken som den stod i början; vind och avlopp förblir som de är</translation>
     </message>
+    <message>
+        <source>Pa&amp;int it again, finer...</source>
+        <translation>Måla &amp;om det finare...</translation>
+    </message>
+    <message>
+        <source>All strokes once more, on finer cells, beside the painting on the easel</source>
+        <translation>Alla penseldrag en gång till, på finare celler, bredvid målningen på staffliet</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2804,6 +2812,25 @@
     <message>
         <source>Discard %1 for good? It is nowhere else.</source>
         <translation>Kasta %1 för gott? Den finns ingen annanstans.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::RepaintDialog</name>
+    <message>
+        <source>Paint it again</source>
+        <translation>Måla om det</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>&amp;Cells per millimetre</source>
+        <translation>&amp;Celler per millimeter</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 celler, som tar upp till %3 GiB minne; %4 GiB är lediga. Penseldragen målas om bredvid målningen på staffliet, som förblir som den är.</translation>
     </message>
 </context>
 <context>
@@ -4216,12 +4243,16 @@
         <source>Pour</source>
         <translation>Häll</translation>
     </message>
+    <message>
+        <source>Paint it again, finer...</source>
+        <translation>Måla om det finare...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
     <message>
-        <source>A surface is being written already. Try again in a moment.</source>
-        <translation>En yta skrivs redan. Försök igen om en stund.</translation>
+        <source>A file is being written already. Try again in a moment.</source>
+        <translation>En fil skrivs redan. Försök igen om en stund.</translation>
     </message>
 </context>
 <context>
@@ -4526,6 +4557,37 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::PaintingAgain</name>
+    <message>
+        <source>painting</source>
+        <translation>målning</translation>
+    </message>
+    <message>
+        <source>Nothing has been painted yet that could be painted again.</source>
+        <translation>Ännu har inget målats som kan målas om.</translation>
+    </message>
+    <message>
+        <source>The painting</source>
+        <translation>Målningen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Spara</translation>
+    </message>
+    <message>
+        <source>Paintings and pictures (%1)</source>
+        <translation>Målningar och bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Sparade %1.</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 × %3 pixels.</source>
+        <translation>Sparade %1: %2 × %3 pixlar.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
@@ -4665,6 +4727,10 @@
         <source>%1 - %2</source>
         <translation>%1 - %2</translation>
     </message>
+    <message>
+        <source>Paint it again</source>
+        <translation>Måla om det</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::RangeSelection</name>
@@ -4690,6 +4756,69 @@
     <message>
         <source>Nothing has been painted yet that could be shown again.</source>
         <translation>Ännu har inget målats som kan visas igen.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::RepaintWindow</name>
+    <message>
+        <source>Paused</source>
+        <translation>Pausad</translation>
+    </message>
+    <message>
+        <source>about %1 left</source>
+        <translation>ungefär %1 kvar</translation>
+    </message>
+    <message>
+        <source>Painted again on %1 px/mm</source>
+        <translation>Målas om med %1 px/mm</translation>
+    </message>
+    <message>
+        <source>How much is painted</source>
+        <translation>Hur mycket som är målat</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Spara...</translation>
+    </message>
+    <message>
+        <source>As a painting, or as a picture</source>
+        <translation>Som målning eller som bild</translation>
+    </message>
+    <message>
+        <source>Put it on the easel</source>
+        <translation>Ställ den på staffliet</translation>
+    </message>
+    <message>
+        <source>It cannot be painted any further</source>
+        <translation>Det går inte att måla vidare</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Fortsätt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>The painting on finer cells is in no file yet. Throw it away?</source>
+        <translation>Målningen på finare celler finns inte i någon fil än. Kasta den?</translation>
+    </message>
+    <message>
+        <source>It is not painted to its end yet. Give it up?</source>
+        <translation>Den är inte färdigmålad än. Ge upp?</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Klart</translation>
     </message>
 </context>
 <context>

@@ -2182,6 +2182,14 @@
         <source>The tank as it stood at the beginning; wind and drain stay as they are</source>
         <translation>水槽回到最初的樣子；風與排水口保持不變</translation>
     </message>
+    <message>
+        <source>Pa&amp;int it again, finer...</source>
+        <translation>重新繪製(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>All strokes once more, on finer cells, beside the painting on the easel</source>
+        <translation>在畫架上的畫之外，以更細的格點重新繪製所有筆觸</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2800,6 +2808,25 @@
     <message>
         <source>Discard %1 for good? It is nowhere else.</source>
         <translation>要永久捨棄 %1 嗎？別處沒有備份。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::RepaintDialog</name>
+    <message>
+        <source>Paint it again</source>
+        <translation>重新繪製</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>&amp;Cells per millimetre</source>
+        <translation>每公釐格數(&amp;C)</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 格，最多需要 %3 GiB 記憶體；可用 %4 GiB。筆觸會另外重新繪製，畫架上的畫保持不變。</translation>
     </message>
 </context>
 <context>
@@ -4208,12 +4235,16 @@
         <source>Pour</source>
         <translation>倒入</translation>
     </message>
+    <message>
+        <source>Paint it again, finer...</source>
+        <translation>重新繪製...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
     <message>
-        <source>A surface is being written already. Try again in a moment.</source>
-        <translation>已有表面正在寫入。請稍後再試。</translation>
+        <source>A file is being written already. Try again in a moment.</source>
+        <translation>已有檔案正在寫入。請稍後再試。</translation>
     </message>
 </context>
 <context>
@@ -4516,6 +4547,37 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::PaintingAgain</name>
+    <message>
+        <source>painting</source>
+        <translation>畫作</translation>
+    </message>
+    <message>
+        <source>Nothing has been painted yet that could be painted again.</source>
+        <translation>還沒有可以重新繪製的內容。</translation>
+    </message>
+    <message>
+        <source>The painting</source>
+        <translation>這幅畫</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>儲存</translation>
+    </message>
+    <message>
+        <source>Paintings and pictures (%1)</source>
+        <translation>畫作與圖片 (%1)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>已儲存 %1。</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 × %3 pixels.</source>
+        <translation>已儲存 %1：%2 × %3 像素。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PictureLayers</name>
     <message>
         <source>Layer from a picture</source>
@@ -4655,6 +4717,10 @@
         <source>%1 - %2</source>
         <translation>%1 - %2</translation>
     </message>
+    <message>
+        <source>Paint it again</source>
+        <translation>重新繪製</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::RangeSelection</name>
@@ -4680,6 +4746,69 @@
     <message>
         <source>Nothing has been painted yet that could be shown again.</source>
         <translation>還沒有畫任何東西可以重播。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::RepaintWindow</name>
+    <message>
+        <source>Paused</source>
+        <translation>已暫停</translation>
+    </message>
+    <message>
+        <source>about %1 left</source>
+        <translation>約剩 %1</translation>
+    </message>
+    <message>
+        <source>Painted again on %1 px/mm</source>
+        <translation>以 %1 px/mm 重新繪製</translation>
+    </message>
+    <message>
+        <source>How much is painted</source>
+        <translation>已繪製的比例</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暫停</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>儲存...</translation>
+    </message>
+    <message>
+        <source>As a painting, or as a picture</source>
+        <translation>存成畫作或圖片</translation>
+    </message>
+    <message>
+        <source>Put it on the easel</source>
+        <translation>放上畫架</translation>
+    </message>
+    <message>
+        <source>It cannot be painted any further</source>
+        <translation>無法繼續繪製</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>繼續</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>關閉</translation>
+    </message>
+    <message>
+        <source>The painting on finer cells is in no file yet. Throw it away?</source>
+        <translation>以更細格點繪製的畫尚未存入任何檔案。要捨棄嗎？</translation>
+    </message>
+    <message>
+        <source>It is not painted to its end yet. Give it up?</source>
+        <translation>尚未繪製完成。要放棄嗎？</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>完成</translation>
     </message>
 </context>
 <context>

@@ -130,7 +130,7 @@ TEST_F(CliExport, PicturesAndOldStrokesAreSaidBeforeTheyArePaintedAgain) {
     const RunResult picture =
         run_cli({"export", "-q", path("picture.pastoso"), "--again", "5", "-o", path("c.png")});
     EXPECT_EQ(picture.status, 0) << picture.errors;
-    EXPECT_THAT(picture.errors, HasSubstr("picture.pastoso: holds a picture, which has no strokes"));
+    EXPECT_THAT(picture.errors, HasSubstr("picture.pastoso: a picture on it has no strokes"));
 }
 
 TEST_F(CliExport, APaintingIsNoPicture) {

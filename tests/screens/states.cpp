@@ -127,6 +127,7 @@ void take_dialogs(Camera& camera) {
     camera.take_dialog(Command::MakeTimelapse, QStringLiteral("dialog-timelapse"), [](QWidget& dialog) {
         name_file(dialog, QStringLiteral("~/still-life-frames"));
     });
+    camera.take_dialog(Command::PaintAgain, QStringLiteral("dialog-paint-again"));
     camera.take_dialog(Command::SelectHeight, QStringLiteral("dialog-select-height"));
     camera.take_dialog(Command::EditKeys, QStringLiteral("dialog-keys"));
     camera.take_dialog(Command::PenSettings, QStringLiteral("dialog-pen"), [](QWidget& dialog) {

@@ -12,7 +12,7 @@ BackgroundExport::BackgroundExport(Studio& studio)
               [this](Write&, const std::string& fault) { end(QString::fromStdString(fault)); }) {}
 
 void BackgroundExport::start(Write write) {
-    if (busy()) return studio_.report(tr("A surface is being written already. Try again in a moment."));
+    if (busy()) return studio_.report(tr("A file is being written already. Try again in a moment."));
     busy_ = true;
     worker_.add(std::move(write));
 }

@@ -44,6 +44,14 @@ void ProjectFiles::ask_to_put_up(const document::CanvasSettings& canvas) {
     if (may_discard()) studio_.attempt(tr("New canvas"), [&] { new_canvas(canvas); });
 }
 
+bool ProjectFiles::ask_to_put_up_unsaved(std::shared_ptr<const project::Project> project) {
+    if (!may_discard()) return false;
+    return studio_.attempt(tr("Paint it again"), [&] {
+        const WaitCursor waiting;
+        put_up_unsaved(std::move(project));
+    });
+}
+
 void ProjectFiles::ask_to_open(const QString& path) {
     if (may_discard()) try_to_open(path);
 }

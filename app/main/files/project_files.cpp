@@ -175,16 +175,21 @@ bool ProjectFiles::opens(const QString& path) {
 
 void ProjectFiles::open_picture(const QString& path) {
     const WaitCursor waiting;
-    auto pool = std::make_unique<core::ThreadPool>();
+    core::ThreadPool pool;
     const auto project =
-        std::make_shared<const project::LoadedProject>(imported(path.toStdString(), *pool));
+        std::make_shared<const project::LoadedProject>(imported(path.toStdString(), pool));
+    put_up_unsaved(project);
+    studio_.report_notes(QFileInfo(path).fileName(), project->notes);
+}
+
+void ProjectFiles::put_up_unsaved(std::shared_ptr<const project::Project> project) {
+    auto pool = std::make_unique<core::ThreadPool>();
     auto painting = std::make_unique<document::Painting>(project->painting, *pool);
     start(std::move(pool), std::move(painting), project->strokes,
           {.write_start = saved_start(project), .is_saved = false});
     show_unsaved();
     take_up_hand(project->strokes);
     studio_.show_published();
-    studio_.report_notes(QFileInfo(path).fileName(), project->notes);
 }
 
 /// The brush that was in hand, as far as this window knows it; otherwise one is taken afresh.

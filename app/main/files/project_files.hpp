@@ -5,6 +5,7 @@
 #include "commands/project_saver.hpp"
 #include "journal/journal_writer.hpp"
 #include "main/studio.hpp"
+#include "project/project.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -68,9 +69,14 @@ class ProjectFiles : public QObject {
     /// until the painter goes on with it. Throws core::InputError as new_canvas() does.
     void watch(const document::Recording& recording);
 
+    /// Puts up a painting that has no file yet.
+    void put_up_unsaved(std::shared_ptr<const project::Project> project);
+
     /// The same when the painter asks for it: first what is on the easel may be saved, and what goes
     /// wrong is told. Nothing happens where the painter thinks better of it.
     void ask_to_put_up(const document::CanvasSettings& canvas);
+    /// Whether it stands there.
+    bool ask_to_put_up_unsaved(std::shared_ptr<const project::Project> project);
     void ask_to_open(const QString& path);
     void ask_to_recover(const std::filesystem::path& journal);
     void ask_to_watch(const std::filesystem::path& recording);

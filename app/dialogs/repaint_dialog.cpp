@@ -1,0 +1,97 @@
+#include "dialogs/repaint_dialog.hpp"
+
+#include "core/error.hpp"
+#include "core/memory.hpp"
+#include "document/canvas.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace pastoso::dialogs {
+namespace {
+
+constexpr double kFewest = 1.0, kMost = 32.0;
+
+QString gibibytes(std::size_t bytes) {
+    return QString::number(static_cast<double>(bytes) / (1 << 30), 'f', 1);
+}
+
+/// What the engine says of it, which begins small.
+QString sentences(const std::vector<std::string>& notes) {
+    QString lines;
+    for (const std::string& note : notes) {
+        QString line = QString::fromStdString(note);
+        line[0] = line[0].toUpper();
+        lines += QLatin1Char('\n') + line;
+    }
+    return lines;
+}
+
+}  // namespace
+
+RepaintDialog::RepaintDialog(document::Recording strokes, std::string name, QWidget* parent)
+    : QDialog(parent),
+      strokes_(std::move(strokes)),
+      name_(std::move(name)),
+      px_per_mm_(new QDoubleSpinBox),
+      summary_(new QLabel),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+    setWindowTitle(tr("Paint it again"));
+    px_per_mm_->setObjectName(QStringLiteral("px_per_mm"));
+    px_per_mm_->setRange(kFewest, kMost);
+    px_per_mm_->setDecimals(2);
+    px_per_mm_->setSuffix(tr(" px/mm"));
+    px_per_mm_->setValue(std::min(2.0 * strokes_.canvas.px_per_mm, kMost));
+    px_per_mm_->selectAll();
+    connect(px_per_mm_, &QDoubleSpinBox::valueChanged, this, &RepaintDialog::show_outcome);
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("Paint it again"));
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    summary_->setObjectName(QStringLiteral("summary"));
+    summary_->setWordWrap(true);
+    summary_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    summary_->setMinimumHeight(4 * summary_->fontMetrics().lineSpacing());
+    summary_->setMinimumWidth(48 * summary_->fontMetrics().averageCharWidth());
+
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Cells per millimetre"), px_per_mm_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(18, 18, 18, 14);
+    column->setSpacing(12);
+    column->addLayout(form);
+    column->addWidget(summary_);
+    column->addWidget(buttons_);
+    show_outcome();
+}
+
+void RepaintDialog::show_outcome() {
+    try {
+        strokes_.canvas.px_per_mm = px_per_mm_->value();
+        const std::size_t free_bytes = core::available_memory_bytes();
+        const project::RepaintingTerms terms = project::repainting_terms(strokes_, name_, free_bytes);
+        show_possible(
+            true,
+            tr("%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are "
+               "painted again beside the painting on the easel, which stays as it is.")
+                    .arg(terms.cells.width)
+                    .arg(terms.cells.height)
+                    .arg(gibibytes(terms.memory_bytes), gibibytes(free_bytes)) +
+                sentences(terms.notes));
+    } catch (const core::InputError& error) {
+        show_possible(false, QString::fromUtf8(error.what()));
+    }
+}
+
+void RepaintDialog::show_possible(bool possible, const QString& words) {
+    summary_->setText(words);
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(possible);
+}
+
+}  // namespace pastoso::dialogs

@@ -1,0 +1,46 @@
+// Painting the painting again on finer cells, and what becomes of that.
+#pragma once
+
+#include "main/files/background_export.hpp"
+#include "main/studio.hpp"
+#include "project/project.hpp"
+
+#include <memory>
+#include <string>
+
+#include <QObject>
+#include <QPointer>
+
+namespace pastoso::main {
+
+class LightChoice;
+class ProjectFiles;
+class RepaintWindow;
+
+class PaintingAgain : public QObject {
+    Q_OBJECT
+  public:
+    PaintingAgain(Studio& studio, ProjectFiles& files, const LightChoice& light);
+
+    /// Null while none is open.
+    RepaintWindow* window() const;
+
+    /// In the background: a painting, or a picture of it in the light that it is seen in, as the name
+    /// ends.
+    void save(std::shared_ptr<const project::Project> painted, const QString& path);
+    bool is_saving() const { return saving_.busy(); }
+
+  private:
+    void ask();
+    void start(const document::Recording& strokes, const std::string& name);
+    void ask_save(const std::shared_ptr<const project::Project>& painted);
+    void put_up(const std::shared_ptr<const project::Project>& painted);
+
+    Studio& studio_;
+    ProjectFiles& files_;
+    const LightChoice& light_;
+    BackgroundExport saving_;
+    QPointer<QObject> window_;
+};
+
+}  // namespace pastoso::main
