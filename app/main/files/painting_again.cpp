@@ -39,7 +39,12 @@ recordings::ExportChoice picture_of(const LightChoice& light, const QString& pat
 }  // namespace
 
 PaintingAgain::PaintingAgain(Studio& studio, ProjectFiles& files, const LightChoice& light)
-    : studio_(studio), files_(files), light_(light), saving_(studio) {
+    : studio_(studio),
+      files_(files),
+      light_(light),
+      saving_(studio),
+      ending_([](std::unique_ptr<session::Repainter>& repainter) { repainter.reset(); },
+              [tell = studio.teller()](auto&, const std::string& fault) { tell(fault); }) {
     studio_.commands().on(Command::PaintAgain, [this](bool) { ask(); });
 }
 
@@ -64,6 +69,8 @@ void PaintingAgain::start(const document::Recording& strokes, const std::string&
     window_ = window;
     connect(window, &RepaintWindow::easel_wanted, this, &PaintingAgain::put_up);
     connect(window, &RepaintWindow::file_wanted, this, &PaintingAgain::ask_save);
+    connect(window, &RepaintWindow::closes, this,
+            [this, window] { ending_.add(window->take_repainter()); });
     window->show();
 }
 

@@ -1,9 +1,10 @@
 // Painting the painting again on finer cells, and what becomes of that.
 #pragma once
 
+#include "core/worker.hpp"
 #include "main/files/background_export.hpp"
 #include "main/studio.hpp"
-#include "project/project.hpp"
+#include "session/repainter.hpp"
 
 #include <memory>
 #include <string>
@@ -40,6 +41,7 @@ class PaintingAgain : public QObject {
     ProjectFiles& files_;
     const LightChoice& light_;
     BackgroundExport saving_;
+    core::Worker<std::unique_ptr<session::Repainter>> ending_;  ///< those whose window is closed
     QPointer<QObject> window_;
 };
 

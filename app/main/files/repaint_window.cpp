@@ -12,7 +12,6 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace pastoso::main {
 namespace {
@@ -33,32 +32,11 @@ QString time_left(const session::Repainter::Status& status) {
 
 RepaintWindow::RepaintWindow(document::Recording strokes, const std::string& name,
                              const view::CanvasView& like, QWidget* parent)
-    : QDialog(parent, Qt::Window),
-      easel_(tools::Hand{}, [](document::Action) {}),
-      canvas_(new view::CanvasView(&easel_)) {
-    easel_.lend_brush(true);
-    setWindowTitle(tr("Painted again on %1 px/mm").arg(strokes.canvas.px_per_mm));
-    setAttribute(Qt::WA_DeleteOnClose);
-    canvas_->set_lighting(like.lighting());
-    canvas_->set_viewing(like.viewing());
-    canvas_->show_handles(false);
-    canvas_->hide_tool();
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 8);
-    column->setSpacing(8);
-    column->addWidget(canvas_, 1);
-    column->addWidget(controls());
-    resize(960, 680);
-    connect(canvas_, &view::CanvasView::escaped, this, &QDialog::close);
+    : WatchedWindow(tr("Painted again on %1 px/mm").arg(strokes.canvas.px_per_mm), like, parent) {
+    add_controls(controls());
     repainter_ = std::make_unique<session::Repainter>(
         std::move(strokes), name, queued_refresh(this, [this] { show_published(); }));
     show_published();
-}
-
-/// The view goes before the easel that it tells of the pointer.
-RepaintWindow::~RepaintWindow() {
-    repainter_.reset();
-    delete canvas_;
 }
 
 QWidget* RepaintWindow::controls() {
@@ -101,9 +79,10 @@ QWidget* RepaintWindow::controls() {
 }
 
 void RepaintWindow::show_published() {
+    if (repainter_ == nullptr) return;
     const session::Repainter::Status status = repainter_->status();
     const bool is_whole = repainter_->painted() != nullptr;
-    if (const auto painting = repainter_->snapshot()) canvas_->show_snapshot(painting);
+    if (const auto painting = repainter_->snapshot()) canvas().show_snapshot(painting);
     progress_->setValue(static_cast<int>(std::floor(kSteps * status.done)));
     if (!status.error.empty()) {
         time_->setText(tr("It cannot be painted any further"));
@@ -124,7 +103,7 @@ void RepaintWindow::let_go() {
 }
 
 bool RepaintWindow::may_go() {
-    if (is_kept_ || !repainter_->status().error.empty()) return true;
+    if (is_kept_ || repainter_ == nullptr || !repainter_->status().error.empty()) return true;
     const QString question = repainter_->painted() != nullptr
                                  ? tr("The painting on finer cells is in no file yet. Throw it away?")
                                  : tr("It is not painted to its end yet. Give it up?");
@@ -138,6 +117,7 @@ void RepaintWindow::reject() {
 
 void RepaintWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(may_go());
+    if (event->isAccepted()) Q_EMIT closes();
 }
 
 }  // namespace pastoso::main

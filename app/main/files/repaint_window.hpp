@@ -1,14 +1,12 @@
 // A window in which a painting is painted again on finer cells, beside the one on the easel.
 #pragma once
 
+#include "main/files/watched_window.hpp"
 #include "session/repainter.hpp"
-#include "tools/easel.hpp"
-#include "view/canvas_view.hpp"
 
 #include <memory>
 #include <string>
-
-#include <QDialog>
+#include <utility>
 
 class QLabel;
 class QProgressBar;
@@ -16,23 +14,27 @@ class QPushButton;
 
 namespace pastoso::main {
 
-class RepaintWindow : public QDialog {
+class RepaintWindow : public WatchedWindow {
     Q_OBJECT
   public:
     /// `name` stands for the painting in sentences; `like` says in which light it is seen.
     RepaintWindow(document::Recording strokes, const std::string& name, const view::CanvasView& like,
                   QWidget* parent);
-    ~RepaintWindow() override;
 
     const session::Repainter& repainter() const { return *repainter_; }
 
     /// Closes it without a question: what it painted is elsewhere.
     void let_go();
 
+    /// What paints, when the window closes: its end waits for the tick that it is at, which may take a
+    /// while.
+    std::unique_ptr<session::Repainter> take_repainter() { return std::move(repainter_); }
+
   Q_SIGNALS:
     /// The painter wants the whole painting on the easel, or in a file.
     void easel_wanted(const std::shared_ptr<const pastoso::project::Project>& painted);
     void file_wanted(const std::shared_ptr<const pastoso::project::Project>& painted);
+    void closes();
 
   protected:
     void reject() override;
@@ -43,8 +45,6 @@ class RepaintWindow : public QDialog {
     void show_published();
     bool may_go();
 
-    tools::Easel easel_;  ///< holds no brush: nothing is painted here
-    view::CanvasView* canvas_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QLabel* time_ = nullptr;
     QPushButton* pause_ = nullptr;

@@ -14,7 +14,6 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace pastoso::main {
 namespace {
@@ -36,34 +35,13 @@ QString time_of(std::int64_t tick) {
 }  // namespace
 
 ReplayWindow::ReplayWindow(document::Recording recording, const view::CanvasView& like, QWidget* parent)
-    : QDialog(parent, Qt::Window),
-      easel_(tools::Hand{}, [](document::Action) {}),
-      canvas_(new view::CanvasView(&easel_)) {
-    easel_.lend_brush(true);
-    setWindowTitle(tr("How it was painted"));
-    setAttribute(Qt::WA_DeleteOnClose);
-    canvas_->set_lighting(like.lighting());
-    canvas_->set_viewing(like.viewing());
-    canvas_->show_handles(false);
-    canvas_->hide_tool();
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 8);
-    column->setSpacing(8);
-    column->addWidget(canvas_, 1);
-    column->addWidget(controls());
-    resize(960, 680);
+    : WatchedWindow(tr("How it was painted"), like, parent) {
+    add_controls(controls());
     connect(new QShortcut(Qt::Key_Space, this), &QShortcut::activated, play_, &QToolButton::click);
-    connect(canvas_, &view::CanvasView::escaped, this, &QDialog::close);
     replayer_ = std::make_unique<session::Replayer>(std::move(recording),
                                                     queued_refresh(this, [this] { show_published(); }));
     replayer_->set_speed(kSpeeds[kFirstSpeed].speed);
     show_published();
-}
-
-/// The view goes before the easel that it tells of the pointer.
-ReplayWindow::~ReplayWindow() {
-    replayer_.reset();
-    delete canvas_;
 }
 
 QWidget* ReplayWindow::controls() {
@@ -103,7 +81,7 @@ QWidget* ReplayWindow::controls() {
 
 void ReplayWindow::show_published() {
     const session::Replayer::Status status = replayer_->status();
-    if (const auto painting = replayer_->snapshot()) canvas_->show_snapshot(painting);
+    if (const auto painting = replayer_->snapshot()) canvas().show_snapshot(painting);
     play_->setText(status.playing ? tr("Pause") : tr("Play"));
     if (!status.error.empty()) {
         time_->setText(tr("It cannot be shown any further"));

@@ -1,13 +1,10 @@
 // A window in which a painting is painted once more, to be watched; the one on the easel stays as it is.
 #pragma once
 
+#include "main/files/watched_window.hpp"
 #include "session/replayer.hpp"
-#include "tools/easel.hpp"
-#include "view/canvas_view.hpp"
 
 #include <memory>
-
-#include <QDialog>
 
 class QComboBox;
 class QLabel;
@@ -16,22 +13,18 @@ class QToolButton;
 
 namespace pastoso::main {
 
-class ReplayWindow : public QDialog {
+class ReplayWindow : public WatchedWindow {
     Q_OBJECT
   public:
     /// `like` says in which light it is seen, and how it stands.
     ReplayWindow(document::Recording recording, const view::CanvasView& like, QWidget* parent);
-    ~ReplayWindow() override;
 
     session::Replayer& replayer() { return *replayer_; }
-    view::CanvasView& canvas() { return *canvas_; }
 
   private:
     QWidget* controls();
     void show_published();
 
-    tools::Easel easel_;  ///< holds no brush: nothing is painted here
-    view::CanvasView* canvas_ = nullptr;
     QToolButton* play_ = nullptr;
     QComboBox* speed_ = nullptr;
     QSlider* place_ = nullptr;

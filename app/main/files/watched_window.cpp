@@ -1,0 +1,35 @@
+#include "main/files/watched_window.hpp"
+
+#include <QVBoxLayout>
+
+namespace pastoso::main {
+
+WatchedWindow::WatchedWindow(const QString& title, const view::CanvasView& like, QWidget* parent)
+    : QDialog(parent, Qt::Window),
+      easel_(tools::Hand{}, [](document::Action) {}),
+      canvas_(new view::CanvasView(&easel_)) {
+    easel_.lend_brush(true);
+    setWindowTitle(title);
+    setAttribute(Qt::WA_DeleteOnClose);
+    canvas_->set_lighting(like.lighting());
+    canvas_->set_viewing(like.viewing());
+    canvas_->show_handles(false);
+    canvas_->hide_tool();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 8);
+    column->setSpacing(8);
+    column->addWidget(canvas_, 1);
+    resize(960, 680);
+    connect(canvas_, &view::CanvasView::escaped, this, &QDialog::close);
+}
+
+/// The view goes before the easel that it tells of the pointer.
+WatchedWindow::~WatchedWindow() {
+    delete canvas_;
+}
+
+void WatchedWindow::add_controls(QWidget* controls) {
+    layout()->addWidget(controls);
+}
+
+}  // namespace pastoso::main
