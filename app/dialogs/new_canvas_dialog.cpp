@@ -19,10 +19,21 @@ namespace {
 
 constexpr QLatin1String kImage("image");
 
+/// What of the paint can be seen on such cells.
+QString shown_words(double px_per_mm) {
+    if (px_per_mm < 3.0) return NewCanvasDialog::tr("For large forms: brush marks blur.");
+    if (px_per_mm < 6.0)
+        return NewCanvasDialog::tr("Bristle marks of broad brushes show; close up, edges are soft.");
+    if (px_per_mm < 12.0) return NewCanvasDialog::tr("Bristle marks and the weave show.");
+    return NewCanvasDialog::tr("Every bristle and thread shows close up, in fine brushes as well.");
+}
+
 }  // namespace
 
-NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, QWidget* parent)
+NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, double live_px_per_mm,
+                                 QWidget* parent)
     : QDialog(parent),
+      live_px_per_mm_(live_px_per_mm),
       support_(new QComboBox),
       summary_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
@@ -93,6 +104,14 @@ document::CanvasSettings NewCanvasDialog::settings() const {
     return settings;
 }
 
+/// Whether this machine keeps pace with the hand on such cells.
+QString NewCanvasDialog::pace_words(double px_per_mm) const {
+    if (px_per_mm <= live_px_per_mm_) return tr("This machine keeps pace with the hand.");
+    return tr("This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be "
+              "painted again.")
+        .arg(live_px_per_mm_);
+}
+
 /// What the canvas will cost, or why there can be none.
 void NewCanvasDialog::write_summary() {
     QString text;
@@ -105,6 +124,8 @@ void NewCanvasDialog::write_summary() {
                    .arg(shape.width)
                    .arg(shape.height)
                    .arg(document::estimated_bytes(shape) >> 20U);
+        text += QLatin1Char('\n') + shown_words(wanted.px_per_mm) + QLatin1Char(' ') +
+                pace_words(wanted.px_per_mm);
     } catch (const core::InputError& error) {
         text = QString::fromUtf8(error.what());
         possible = false;

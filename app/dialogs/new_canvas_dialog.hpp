@@ -15,15 +15,19 @@ namespace pastoso::dialogs {
 class NewCanvasDialog : public QDialog {
     Q_OBJECT
   public:
-    explicit NewCanvasDialog(const document::CanvasSettings& proposal, QWidget* parent = nullptr);
+    /// `live_px_per_mm`: the finest cells on which this machine keeps pace with the hand.
+    NewCanvasDialog(const document::CanvasSettings& proposal, double live_px_per_mm,
+                    QWidget* parent = nullptr);
 
     document::CanvasSettings settings() const;
 
   private:
     QDoubleSpinBox* add_number(double lowest, double highest, double value, const QString& suffix);
     void choose_image();
+    QString pace_words(double px_per_mm) const;
     void write_summary();
 
+    double live_px_per_mm_;
     QDoubleSpinBox* width_ = nullptr;
     QDoubleSpinBox* height_ = nullptr;
     QDoubleSpinBox* density_ = nullptr;

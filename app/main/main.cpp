@@ -13,8 +13,10 @@
 #include "main/program/display.hpp"
 #include "main/program/language.hpp"
 #include "main/program/machine_facts.hpp"
+#include "main/program/machine_speed.hpp"
 #include "main/program/preference_commands.hpp"
 #include "main/window_parts.hpp"
+#include "start/canvas_choices.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -93,9 +95,19 @@ void note_graphics(MainWindow& window) {
         Qt::SingleShotConnection);
 }
 
+pastoso::document::CanvasSettings first_canvas(double live_px_per_mm) {
+    pastoso::document::CanvasSettings canvas;
+    canvas.px_per_mm = pastoso::start::sensible_px_per_mm(
+        canvas.width_mm, canvas.height_mm, {live_px_per_mm, pastoso::core::available_memory_bytes()});
+    return canvas;
+}
+
 int run(QApplication& application, const Arguments& arguments,
         const pastoso::main::KeptPreferences& preferences) {
-    MainWindow window({}, !arguments.screenshot, preferences);
+    const double live_px_per_mm = arguments.screenshot ? pastoso::document::CanvasSettings{}.px_per_mm
+                                                       : pastoso::main::live_px_per_mm();
+    MainWindow window(first_canvas(live_px_per_mm), !arguments.screenshot, preferences);
+    window.studio().set_live_px_per_mm(live_px_per_mm);
     const std::string fault = arguments.file ? window.open_file(*arguments.file) : "";
     if (!fault.empty() && arguments.screenshot) return fail(fault);
     const bool with_page = (!arguments.file || !fault.empty()) && !arguments.profile;

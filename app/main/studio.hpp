@@ -47,6 +47,10 @@ class Studio : public QObject {
                 document::Recording past, std::unique_ptr<journal::JournalWriter> journal,
                 session::PaintSession::BeginJournal begin_journal);
 
+    /// The finest cells on which this machine keeps pace with the hand: for new canvases.
+    double live_px_per_mm() const { return live_px_per_mm_; }
+    void set_live_px_per_mm(double px_per_mm) { live_px_per_mm_ = px_per_mm; }
+
     /// From now on all sessions tell these how long the painter waits, and the canvas how long what they
     /// publish takes to the screen.
     void measure(std::shared_ptr<session::FrameTimes> times);
@@ -94,6 +98,7 @@ class Studio : public QObject {
     std::unique_ptr<tools::Easel> easel_;
     std::unique_ptr<session::PaintSession> session_;
     std::shared_ptr<session::FrameTimes> times_;
+    double live_px_per_mm_ = document::CanvasSettings{}.px_per_mm;
     view::CanvasView* canvas_;
     view::CanvasView* well_;
 };

@@ -3,6 +3,7 @@
 
 #include "document/events.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,19 @@ struct CanvasSize {
 
 std::vector<CanvasSize> canvas_sizes();
 
-/// Whole cells per millimetre, 3 to 8, so that bristles show on a small canvas and a large one stays
-/// quick.
-double sensible_px_per_mm(double width_mm, double height_mm);
+/// On what the painting is done.
+struct Machine {
+    double live_px_per_mm = 4.0;   ///< the finest cells that keep pace with the hand
+    std::size_t memory_bytes = 0;  ///< that is free
+};
 
-document::CanvasSettings canvas_of(const CanvasSize& size, bool upright, const std::string& support);
+/// Whole cells per millimetre, 3 to 8, so that bristles show on a small canvas and a large one stays
+/// quick; or more, where the machine keeps pace with them and the canvas fits into a third of its
+/// memory.
+double sensible_px_per_mm(double width_mm, double height_mm, const Machine& machine);
+
+document::CanvasSettings canvas_of(const CanvasSize& size, bool upright, const std::string& support,
+                                   const Machine& machine);
 
 /// "297 × 210 mm".
 QString size_words(const document::CanvasSettings& canvas);

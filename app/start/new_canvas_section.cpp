@@ -105,7 +105,8 @@ void NewCanvasSection::add_orientations(QLayout* row) {
     lying_->setChecked(true);
 }
 
-void NewCanvasSection::propose(const document::CanvasSettings& canvas) {
+void NewCanvasSection::propose(const document::CanvasSettings& canvas, double live_px_per_mm) {
+    machine_ = {live_px_per_mm, core::available_memory_bytes()};
     (canvas.height_mm > canvas.width_mm ? upright_ : lying_)->setChecked(true);
     for (std::size_t i = 0; i < supports_.size(); ++i)
         if (supports_[i].id == canvas.support) support_buttons_[i]->setChecked(true);
@@ -128,7 +129,7 @@ std::size_t NewCanvasSection::support() const {
 
 document::CanvasSettings NewCanvasSection::canvas(int number) const {
     return canvas_of(canvas_sizes_.at(static_cast<std::size_t>(number)), upright(),
-                     supports_.at(support()).id);
+                     supports_.at(support()).id, machine_);
 }
 
 /// While the buttons are being made there is nothing to show yet.
@@ -151,8 +152,11 @@ panels::Tile NewCanvasSection::tile_of(const document::CanvasSettings& canvas,
                                        const QString& name) const {
     const grid::Shape shape = document::canvas_shape(canvas);
     const QString why_not = objection(canvas);
-    const QString hint =
-        tr("%1, %2 × %3 pixels").arg(size_words(canvas)).arg(shape.width).arg(shape.height);
+    const QString hint = tr("%1, %2 × %3 pixels, %4 px/mm")
+                             .arg(size_words(canvas))
+                             .arg(shape.width)
+                             .arg(shape.height)
+                             .arg(canvas.px_per_mm);
     return {.name = name,
             .detail = size_words(canvas),
             .hint = why_not.isEmpty() ? hint : why_not,

@@ -20,8 +20,8 @@ class NewCanvasSection : public QWidget {
   public:
     explicit NewCanvasSection(QWidget* parent = nullptr);
 
-    /// The same support and orientation as a canvas has.
-    void propose(const document::CanvasSettings& canvas);
+    /// The same support and orientation as a canvas has, on cells that keep pace with the hand.
+    void propose(const document::CanvasSettings& canvas, double live_px_per_mm);
 
     void fit(int width);
 
@@ -46,6 +46,7 @@ class NewCanvasSection : public QWidget {
     const std::vector<dialogs::Support> supports_ = dialogs::supports();
     std::vector<QImage> support_pictures_;
     std::vector<QToolButton*> support_buttons_;
+    Machine machine_;
     QToolButton* lying_ = nullptr;
     QToolButton* upright_ = nullptr;
     panels::Gallery* sizes_;

@@ -107,14 +107,14 @@ QLayout* StartPage::make_foot() {
 }
 
 void StartPage::open(const QRect& place, const document::CanvasSettings& on_easel, bool begun,
-                     const std::vector<std::filesystem::path>& recent,
+                     double live_px_per_mm, const std::vector<std::filesystem::path>& recent,
                      const std::vector<journal::Unfinished>& unfinished) {
     paint_->setText(begun ? tr("Back to the painting") : tr("Start painting"));
     easel_words_->setText(
         begun ? tr("The painting stands on the easel as you left it.")
               : tr("A canvas of %1, %2, is ready. You can also just paint on it.")
                     .arg(dialogs::support_words(on_easel.support), size_words(on_easel)));
-    new_canvas_->propose(on_easel);
+    new_canvas_->propose(on_easel, live_px_per_mm);
     unfinished_->show_paintings(unfinished);
     recent_->show_paintings(recent);
     lie_on(place);

@@ -31,9 +31,9 @@ class StartPage : public QFrame {
     explicit StartPage(QWidget* parent);
 
     /// Shows itself over `place` of its parent and takes the keys. `begun`: there is a painting to go
-    /// back to.
+    /// back to. New canvases have at most `live_px_per_mm` cells a millimetre.
     void open(const QRect& place, const document::CanvasSettings& on_easel, bool begun,
-              const std::vector<std::filesystem::path>& recent,
+              double live_px_per_mm, const std::vector<std::filesystem::path>& recent,
               const std::vector<journal::Unfinished>& unfinished);
 
     /// The place that it lies on has changed.

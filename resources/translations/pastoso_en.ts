@@ -2763,6 +2763,30 @@
         <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
         <translation>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</translation>
     </message>
+    <message>
+        <source>For large forms: brush marks blur.</source>
+        <translation>For large forms: brush marks blur.</translation>
+    </message>
+    <message>
+        <source>Bristle marks of broad brushes show; close up, edges are soft.</source>
+        <translation>Bristle marks of broad brushes show; close up, edges are soft.</translation>
+    </message>
+    <message>
+        <source>Every bristle and thread shows close up, in fine brushes as well.</source>
+        <translation>Every bristle and thread shows close up, in fine brushes as well.</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand.</source>
+        <translation>This machine keeps pace with the hand.</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</source>
+        <translation>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</translation>
+    </message>
+    <message>
+        <source>Bristle marks and the weave show.</source>
+        <translation>Bristle marks and the weave show.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::RecoveryDialog</name>
@@ -6514,8 +6538,8 @@ Drag: move the picture
         <translation>Choose width, height, resolution and support yourself</translation>
     </message>
     <message>
-        <source>%1, %2 × %3 pixels</source>
-        <translation>%1, %2 × %3 pixels</translation>
+        <source>%1, %2 × %3 pixels, %4 px/mm</source>
+        <translation>%1, %2 × %3 pixels, %4 px/mm</translation>
     </message>
 </context>
 <context>

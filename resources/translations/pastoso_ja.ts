@@ -2762,6 +2762,30 @@
         <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
         <translation>%1 × %2 ピクセルの画像になります。全体が濡れているときは最大 %3 MiB のメモリーを使います。</translation>
     </message>
+    <message>
+        <source>For large forms: brush marks blur.</source>
+        <translation>大きな形向き: 筆跡はぼやけます。</translation>
+    </message>
+    <message>
+        <source>Bristle marks of broad brushes show; close up, edges are soft.</source>
+        <translation>太い筆の毛跡が見えます。近くで見ると縁は柔らかめです。</translation>
+    </message>
+    <message>
+        <source>Every bristle and thread shows close up, in fine brushes as well.</source>
+        <translation>細い筆でも、毛の一本一本と糸まで間近に見えます。</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand.</source>
+        <translation>このマシンは手の速さについていけます。</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</source>
+        <translation>このマシンが手の速さについていけるのは %1 px/mm までです。より細かいセルでは、絵を再描画できます。</translation>
+    </message>
+    <message>
+        <source>Bristle marks and the weave show.</source>
+        <translation>毛跡と布目が見えます。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::RecoveryDialog</name>
@@ -6498,8 +6522,8 @@ Drag: move the picture
         <translation>幅、高さ、解像度、支持体を自分で決める</translation>
     </message>
     <message>
-        <source>%1, %2 × %3 pixels</source>
-        <translation>%1、%2 × %3 ピクセル</translation>
+        <source>%1, %2 × %3 pixels, %4 px/mm</source>
+        <translation>%1、%2 × %3 ピクセル、%4 px/mm</translation>
     </message>
 </context>
 <context>

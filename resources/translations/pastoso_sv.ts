@@ -2763,6 +2763,30 @@
         <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
         <translation>En bild på %1 × %2 pixlar; upp till %3 MiB minne när allt är vått.</translation>
     </message>
+    <message>
+        <source>For large forms: brush marks blur.</source>
+        <translation>För stora former: penselspår suddas ut.</translation>
+    </message>
+    <message>
+        <source>Bristle marks of broad brushes show; close up, edges are soft.</source>
+        <translation>Breda penslars borstspår syns; på nära håll är kanterna mjuka.</translation>
+    </message>
+    <message>
+        <source>Every bristle and thread shows close up, in fine brushes as well.</source>
+        <translation>Varje borst och tråd syns på nära håll, även med fina penslar.</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand.</source>
+        <translation>Den här datorn hinner med handen.</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</source>
+        <translation>Den här datorn hinner med handen upp till %1 px/mm; på finare celler kan en målning målas om.</translation>
+    </message>
+    <message>
+        <source>Bristle marks and the weave show.</source>
+        <translation>Borstspår och väven syns.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::RecoveryDialog</name>
@@ -6514,8 +6538,8 @@ Dra: flytta bilden
         <translation>Välj själv bredd, höjd, upplösning och underlag</translation>
     </message>
     <message>
-        <source>%1, %2 × %3 pixels</source>
-        <translation>%1, %2 × %3 pixlar</translation>
+        <source>%1, %2 × %3 pixels, %4 px/mm</source>
+        <translation>%1, %2 × %3 pixlar, %4 px/mm</translation>
     </message>
 </context>
 <context>

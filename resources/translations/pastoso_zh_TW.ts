@@ -2762,6 +2762,30 @@
         <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
         <translation>%1 × %2 像素的圖片；全部都是濕顏料時，最多占用 %3 MiB 記憶體。</translation>
     </message>
+    <message>
+        <source>For large forms: brush marks blur.</source>
+        <translation>適合大塊面：筆痕會模糊。</translation>
+    </message>
+    <message>
+        <source>Bristle marks of broad brushes show; close up, edges are soft.</source>
+        <translation>可見寬筆的鬃毛痕；近看邊緣較柔。</translation>
+    </message>
+    <message>
+        <source>Every bristle and thread shows close up, in fine brushes as well.</source>
+        <translation>近看每根鬃毛與織線皆可見，細筆亦然。</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand.</source>
+        <translation>這台電腦跟得上手的速度。</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</source>
+        <translation>這台電腦在 %1 px/mm 以內跟得上手的速度；更細的格點可用重新繪製。</translation>
+    </message>
+    <message>
+        <source>Bristle marks and the weave show.</source>
+        <translation>可見鬃毛痕與布紋。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::RecoveryDialog</name>
@@ -6498,8 +6522,8 @@ Drag: move the picture
         <translation>自行決定寬度、高度、解析度和基底材</translation>
     </message>
     <message>
-        <source>%1, %2 × %3 pixels</source>
-        <translation>%1，%2 × %3 像素</translation>
+        <source>%1, %2 × %3 pixels, %4 px/mm</source>
+        <translation>%1，%2 × %3 像素，%4 px/mm</translation>
     </message>
 </context>
 <context>

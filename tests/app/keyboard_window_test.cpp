@@ -315,7 +315,7 @@ TEST_F(Keyboard, ReachesAllOfTheKeys) {
 }
 
 TEST_F(Keyboard, ReachesAllOfANewCanvasAndOfItsSize) {
-    dialogs::NewCanvasDialog fresh(canvas_settings(), &window());
+    dialogs::NewCanvasDialog fresh(canvas_settings(), 4.0, &window());
     expect_all_reached(fresh);
     dialogs::CanvasSizeDialog size(canvas_settings(), QImage(60, 40, QImage::Format_RGB888), &window());
     expect_all_reached(size);

@@ -16,8 +16,10 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -212,6 +214,21 @@ TEST_F(StartWindow, MoreOpensTheDialogAndThePageStaysUntilThereIsACanvas) {
     when_asked<dialogs::NewCanvasDialog>([](QDialog& dialog) { dialog.accept(); });
     click(sizes, sizes.count() - 1);
     EXPECT_FALSE(page_is_shown());
+}
+
+TEST_F(StartWindow, ANewCanvasSaysWhatItsResolutionShowsAndWhetherTheMachineKeepsPace) {
+    dialogs::NewCanvasDialog dialog(canvas_settings(), 6.0);
+    const auto says = [&](double px_per_mm, const char* words) {
+        for (auto* box : dialog.findChildren<QDoubleSpinBox*>())
+            if (box->suffix().contains(QStringLiteral("px/mm"))) box->setValue(px_per_mm);
+        for (const auto* label : dialog.findChildren<QLabel*>())
+            if (label->text().contains(QString::fromLatin1(words))) return true;
+        return false;
+    };
+    EXPECT_TRUE(says(2.0, "brush marks blur. This machine keeps pace with the hand."));
+    EXPECT_TRUE(says(6.0, "the weave show. This machine keeps pace with the hand."));
+    EXPECT_TRUE(
+        says(16.0, "in fine brushes as well. This machine keeps pace with the hand up to 6 px/mm;"));
 }
 
 TEST_F(StartWindow, WhatIsNotSavedIsNotLostToANewCanvas) {

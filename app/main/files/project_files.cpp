@@ -75,7 +75,8 @@ void ProjectFiles::start(std::unique_ptr<core::ThreadPool> pool,
 }
 
 void ProjectFiles::ask_new_canvas() {
-    dialogs::NewCanvasDialog dialog(studio_.session().canvas(), &studio_.window());
+    dialogs::NewCanvasDialog dialog(studio_.session().canvas(), studio_.live_px_per_mm(),
+                                    &studio_.window());
     if (dialog.exec() == QDialog::Accepted) ask_to_put_up(dialog.settings());
 }
 

@@ -31,7 +31,8 @@ StartCommands::StartCommands(Studio& studio, ProjectFiles& files, const MessageP
 
 void StartCommands::show_page() {
     page().open(messages_.free_canvas(), studio_.session().canvas(), files_.begun(),
-                commands::known_paintings(), journal::unfinished_paintings(journal::journals_path()));
+                studio_.live_px_per_mm(), commands::known_paintings(),
+                journal::unfinished_paintings(journal::journals_path()));
 }
 
 void StartCommands::welcome() {

@@ -1,0 +1,50 @@
+#include "main/program/machine_speed.hpp"
+
+#include "core/fault.hpp"
+#include "core/thread_pool.hpp"
+#include "core/user_data.hpp"
+#include "document/canvas.hpp"
+#include "session/live_speed.hpp"
+#include "tools/memory_file.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace pastoso::main {
+namespace {
+
+constexpr int kVersion = 1, kMostProcessors = 1 << 16;
+
+std::filesystem::path file() {
+    return core::user_state_path("machine.json");
+}
+
+std::optional<double> kept(int processors) {
+    std::optional<double> px_per_mm;
+    core::fault_of([&] {
+        tools::read_memory(file(), kVersion, [&](const files::JsonPlace& root) {
+            const auto measured_on = root.entry("processors").integer(1, kMostProcessors);
+            const double finest = root.entry("live_px_per_mm").number();
+            const bool possible = finest >= document::kMinPxPerMm && finest <= document::kMaxPxPerMm;
+            if (measured_on == processors && possible) px_per_mm = finest;
+        });
+    });
+    return px_per_mm;
+}
+
+}  // namespace
+
+double live_px_per_mm() {
+    core::ThreadPool pool;
+    if (const auto known = kept(pool.thread_count())) return *known;
+    const double measured = session::live_px_per_mm(
+        [&](double px_per_mm) { return session::painting_load(px_per_mm, pool); });
+    core::fault_of([&] {
+        tools::write_memory(
+            {{"version", kVersion}, {"processors", pool.thread_count()}, {"live_px_per_mm", measured}},
+            file());
+    });
+    return measured;
+}
+
+}  // namespace pastoso::main

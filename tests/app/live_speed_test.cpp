@@ -1,0 +1,29 @@
+#include "session/live_speed.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pastoso::session {
+namespace {
+
+TEST(LiveSpeed, TheFinestIsTakenThatLeavesTimeForThePicture) {
+    const auto px_for = [](double load_at_8) {
+        return live_px_per_mm([=](double px) { return load_at_8 * px * px / 64.0; });
+    };
+    EXPECT_EQ(px_for(0.1), 8.0);
+    EXPECT_EQ(px_for(0.19), 8.0);
+    EXPECT_EQ(px_for(0.21), 6.0);
+    EXPECT_EQ(px_for(0.35), 6.0);
+    EXPECT_EQ(px_for(0.36), 4.0);
+    EXPECT_EQ(px_for(100.0), 4.0) << "something has to be painted on";
+}
+
+TEST(LiveSpeed, FinerCellsAreMoreWork) {
+    core::ThreadPool pool;
+    const double coarse = painting_load(2.0, pool), fine = painting_load(8.0, pool);
+    EXPECT_GT(coarse, 0.0);
+    // Sixteen times as many cells: no machine's other work turns that round.
+    EXPECT_GT(fine, coarse);
+}
+
+}  // namespace
+}  // namespace pastoso::session
