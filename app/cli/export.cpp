@@ -4,6 +4,7 @@
 #include "cli/printing.hpp"
 #include "cli/progress.hpp"
 #include "cli/usage_error.hpp"
+#include "core/looking.hpp"
 #include "core/memory.hpp"
 #include "core/number_text.hpp"
 #include "core/thread_pool.hpp"
@@ -40,6 +41,9 @@ void check_usage(const ExportOptions& options) {
     if (options.output.empty() && (options.layers || options.maps))
         throw UsageError("--layers and --maps need a file to make: -o FILE.");
     if (options.layers && options.maps) throw UsageError("--layers and --maps exclude each other.");
+    if (is_painting(options) && core::absolute_path(options.output).lexically_normal() ==
+                                    core::absolute_path(options.project).lexically_normal())
+        throw UsageError(options.output + ": is the painting itself; name another file.");
     if (is_painting(options) && !options.again_px_per_mm)
         throw UsageError(options.output +
                          ": a painting is made by painting it again: --again PX_PER_MM.");
@@ -105,8 +109,10 @@ project::Project loaded(const ExportOptions& options, core::ThreadPool& pool) {
     return project;
 }
 
-/// The strokes on the cells that are wanted. Says what should be known before they are painted.
-document::Recording strokes_again(const ExportOptions& options) {
+/// The strokes on the cells that are wanted. Says what should be known before they are painted, and
+/// throws InputError for choices that cannot be made of them.
+document::Recording strokes_again(const ExportOptions& options,
+                                  const std::vector<recordings::ExportChoice>& choices) {
     std::vector<std::string> notes;
     document::Recording strokes = project::load_strokes(options.project, notes);
     if (strokes.events.empty())
@@ -115,17 +121,21 @@ document::Recording strokes_again(const ExportOptions& options) {
     strokes.canvas.px_per_mm = *options.again_px_per_mm;
     const project::RepaintingTerms terms =
         project::repainting_terms(strokes, options.project, core::available_memory_bytes());
+    for (const recordings::ExportChoice& choice : choices)
+        recordings::export_size({terms.cells, 1.0 / strokes.canvas.px_per_mm}, choice);
     for (const std::string& note : terms.notes)
         complain(options.project + ": " + note);
     if (!options.quiet)
-        print("painting %d x %d cells, which takes up to %zu MiB of memory\n", terms.cells.width,
+        print("painting %d x %d cells, which takes about %zu MiB of memory\n", terms.cells.width,
               terms.cells.height, terms.memory_bytes >> 20);
     return strokes;
 }
 
 /// Throws Interrupted where it was stopped.
-project::Project painted_again(const ExportOptions& options, core::ThreadPool& pool) {
-    const document::Recording strokes = strokes_again(options);
+project::Project painted_again(const ExportOptions& options,
+                               const std::vector<recordings::ExportChoice>& choices,
+                               core::ThreadPool& pool) {
+    const document::Recording strokes = strokes_again(options, choices);
     Progress progress("painting", Progress::style_for_stderr(options.quiet));
     std::optional<project::Project> painted =
         project::repaint(strokes, options.project, pool, [&](double done) {
@@ -138,7 +148,7 @@ project::Project painted_again(const ExportOptions& options, core::ThreadPool& p
 
 void save(const project::Project& painted, const ExportOptions& options, core::ThreadPool& pool) {
     project::save_project(options.output, painted, pool);
-    const grid::Shape cells = document::canvas_shape(painted.strokes.canvas);
+    const grid::Shape cells = document::canvas_shape(painted.painting.value.bare->settings);
     print("%s: the painting in %d x %d cells\n", options.output.c_str(), cells.width, cells.height);
 }
 
@@ -153,7 +163,7 @@ void run_export(const ExportOptions& options) {
     if (is_painting(options)) files::check_writable(options.output);
     core::ThreadPool pool(options.threads);
     const project::Project project =
-        options.again_px_per_mm ? painted_again(options, pool) : loaded(options, pool);
+        options.again_px_per_mm ? painted_again(options, choices, pool) : loaded(options, pool);
     if (is_painting(options)) save(project, options, pool);
     for (const recordings::ExportChoice& choice : choices)
         write(project.painting, choice, pool, options.quiet);

@@ -17,8 +17,6 @@
 namespace pastoso::dialogs {
 namespace {
 
-constexpr double kFewest = 1.0, kMost = 32.0;
-
 QString gibibytes(std::size_t bytes) {
     return QString::number(static_cast<double>(bytes) / (1 << 30), 'f', 1);
 }
@@ -45,10 +43,10 @@ RepaintDialog::RepaintDialog(document::Recording strokes, std::string name, QWid
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Paint it again"));
     px_per_mm_->setObjectName(QStringLiteral("px_per_mm"));
-    px_per_mm_->setRange(kFewest, kMost);
+    px_per_mm_->setRange(document::kMinPxPerMm, document::kMaxPxPerMm);
     px_per_mm_->setDecimals(2);
     px_per_mm_->setSuffix(tr(" px/mm"));
-    px_per_mm_->setValue(std::min(2.0 * strokes_.canvas.px_per_mm, kMost));
+    px_per_mm_->setValue(std::min(2.0 * strokes_.canvas.px_per_mm, document::kMaxPxPerMm));
     px_per_mm_->selectAll();
     connect(px_per_mm_, &QDoubleSpinBox::valueChanged, this, &RepaintDialog::show_outcome);
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("Paint it again"));
@@ -78,7 +76,7 @@ void RepaintDialog::show_outcome() {
         const project::RepaintingTerms terms = project::repainting_terms(strokes_, name_, free_bytes);
         show_possible(
             true,
-            tr("%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are "
+            tr("%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are "
                "painted again beside the painting on the easel, which stays as it is.")
                     .arg(terms.cells.width)
                     .arg(terms.cells.height)

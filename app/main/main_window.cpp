@@ -50,9 +50,11 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();  // also where asking fails
-    event->setAccepted(parts_->exporting.may_stop() && parts_->files.may_discard());
+    event->setAccepted(parts_->exporting.may_stop() && parts_->again.may_stop() &&
+                       parts_->files.may_discard());
     if (!event->isAccepted()) return;
     parts_->exporting.exporter().stop();
+    parts_->again.stop();
     parts_->place.give_back();
     parts_->view.leave_canvas_only();
     parts_->paints.remember();

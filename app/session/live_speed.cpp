@@ -17,6 +17,8 @@ constexpr double kCoarsest = 4.0;
 /// The first ticks are for caches and threads.
 constexpr int kFirstTicks = 6, kMeasuredTicks = 30;
 constexpr int kSamplesPerTick = 3;
+/// By then it is known that it takes too long.
+constexpr double kLongest_s = 0.5;
 
 constexpr double kWidth_mm = 120.0, kHeight_mm = 80.0, kMargin_mm = 25.0;
 constexpr double kSpeed_mm_s = 200.0;
@@ -62,9 +64,14 @@ double painting_load(double px_per_mm, core::ThreadPool& pool) {
     for (int tick = 0; tick < kFirstTicks; ++tick)
         paint_tick(painting);
     const Clock::time_point begun = Clock::now();
-    for (int tick = 0; tick < kMeasuredTicks; ++tick)
+    int ticks = 0;
+    double taken_s = 0.0;
+    while (ticks < kMeasuredTicks && taken_s < kLongest_s) {
         paint_tick(painting);
-    return std::chrono::duration<double>(Clock::now() - begun).count() / (kMeasuredTicks * kTick_s);
+        ++ticks;
+        taken_s = std::chrono::duration<double>(Clock::now() - begun).count();
+    }
+    return taken_s / (ticks * kTick_s);
 }
 
 double live_px_per_mm(const std::function<double(double px_per_mm)>& load_at) {

@@ -31,15 +31,29 @@ std::vector<std::string> notes_of(const document::Recording& strokes) {
     return notes;
 }
 
+/// The one that it begins on, and what changes of its size make of it.
+std::vector<document::CanvasSettings> canvases_of(const document::Recording& strokes) {
+    std::vector<document::CanvasSettings> canvases{strokes.canvas};
+    for (const document::Event& event : strokes.events)
+        if (const auto* resize = std::get_if<document::ResizeCanvas>(&event.action))
+            canvases.push_back(document::resized(*resize, canvases.back()));
+    return canvases;
+}
+
 }  // namespace
 
 RepaintingTerms repainting_terms(const document::Recording& strokes, const std::string& name,
                                  std::size_t available_bytes) {
     if (strokes.events.empty())
         throw core::InputError(name + ": holds no strokes that could be painted again.");
-    core::naming(name, [&] { document::check_canvas_fits(strokes.canvas, available_bytes); });
-    const grid::Shape cells = document::canvas_shape(strokes.canvas);
-    return {cells, document::estimated_bytes(cells), notes_of(strokes)};
+    RepaintingTerms terms;
+    terms.notes = notes_of(strokes);
+    for (const document::CanvasSettings& canvas : canvases_of(strokes)) {
+        core::naming(name, [&] { document::check_canvas_fits(canvas, available_bytes); });
+        terms.cells = document::canvas_shape(canvas);
+        terms.memory_bytes = std::max(terms.memory_bytes, document::estimated_bytes(terms.cells));
+    }
+    return terms;
 }
 
 std::optional<Project> repaint(const document::Recording& strokes, const std::string& name,

@@ -15,8 +15,8 @@ namespace pastoso::project {
 
 /// What painting it takes and makes.
 struct RepaintingTerms {
-    grid::Shape cells;
-    std::size_t memory_bytes = 0;      ///< about what it needs at most
+    grid::Shape cells;                 ///< of the canvas at its end
+    std::size_t memory_bytes = 0;      ///< about what it needs where it is largest, for one layer
     std::vector<std::string> notes{};  ///< what will be otherwise; sentences that begin small
 };
 

@@ -76,6 +76,28 @@ is_drawn() {
     [[ -e $frames/$(printf "$name" "$1") ]]
 }
 
+# The tasks that there are to do, as sbatch wants them, "1-3,7": `tasks`, and how many: `task_count`. Between
+# begin_tasks and end_tasks come calls of add_task NUMBER, in ascending order; the same number may come again.
+begin_tasks() {
+    tasks="" task_count=0 last_task=0 run_start=0
+}
+
+add_task() {
+    (($1 != last_task)) || return 0
+    task_count=$((task_count + 1))
+    if (($1 != last_task + 1 || run_start == 0)); then
+        end_tasks
+        run_start=$1
+    fi
+    last_task=$1
+}
+
+end_tasks() {
+    ((run_start > 0)) || return 0
+    tasks+="${tasks:+,}$run_start"
+    ((last_task == run_start)) || tasks+="-$last_task"
+}
+
 # Those that have something to draw, and how many frames: `wanted`.
 list_tasks() {
     local frame

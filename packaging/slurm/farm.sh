@@ -1,5 +1,5 @@
-# What the scripts that submit arrays of tasks share: sourced, not run. They set `program`, `scheduling` and
-# `dry_run`, and `too_long` where an array can be made shorter.
+# What the scripts that submit arrays of tasks share: sourced, not run. They set `program`,
+# `scheduling`, `dry_run` and `tasks`, and `too_long` where an array can be made shorter.
 # shellcheck shell=bash
 
 # whole_number OPTION TEXT: from 1 to a million.
@@ -13,28 +13,6 @@ find_program() {
     [[ -f $program && -x $program ]] ||
         fail "there is no pastoso-cli at \"$program\"; --program FILE says where it is, packaging/build.sh builds it."
     program="$(realpath -- "$program")"
-}
-
-# The tasks that there are to do, as sbatch wants them, "1-3,7": `tasks`, and how many: `task_count`. Between
-# begin_tasks and end_tasks come calls of add_task NUMBER, in ascending order; the same number may come again.
-begin_tasks() {
-    tasks="" task_count=0 last_task=0 run_start=0
-}
-
-add_task() {
-    (($1 != last_task)) || return 0
-    task_count=$((task_count + 1))
-    if (($1 != last_task + 1 || run_start == 0)); then
-        end_tasks
-        run_start=$1
-    fi
-    last_task=$1
-}
-
-end_tasks() {
-    ((run_start > 0)) || return 0
-    tasks+="${tasks:+,}$run_start"
-    ((last_task == run_start)) || tasks+="-$last_task"
 }
 
 check_sbatch() {

@@ -14,6 +14,8 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/../common.sh"
 source "$root/packaging/slurm/farm.sh"
 
+readonly most_tasks=1000  # as many as Slurm takes where nobody set MaxArraySize
+
 places=() scheduling=()
 px_per_mm="" format=pastoso cpus=2 program="" dry_run=no
 
@@ -36,7 +38,8 @@ read_arguments() {
 read_option() {
     case "$1" in
         --px-per-mm)
-            [[ $2 =~ ^[0-9]{1,2}(\.[0-9]{1,6})?$ ]] || fail "$1: \"$2\" is not a number of cells per millimetre."
+            [[ $2 =~ ^[0-9]{1,2}(\.[0-9]{1,6})?$ ]] && awk "BEGIN { exit !($2 >= 0.25 && $2 <= 64) }" ||
+                fail "$1: \"$2\" is not a number of cells per millimetre from 0.25 to 64."
             px_per_mm="$2" ;;
         --format)
             [[ $2 =~ ^(pastoso|png|tif|jpg|webp|exr)$ ]] || fail "$1: \"$2\" is none of pastoso, png, tif, jpg, webp and exr."
@@ -46,24 +49,33 @@ read_option() {
     esac
 }
 
-# Task n paints the n-th of `paintings`.
+# Task n paints the n-th of `paintings`: those that are not there yet, as many as an array takes.
 list_paintings() {
+    local painting name
     shopt -s nullglob
-    paintings=("$source"/*.pastoso)
-    ((${#paintings[@]} > 0)) || fail "\"$source\" holds no paintings: no file in it ends in .pastoso."
-    local name index
-    begin_tasks
-    for index in "${!paintings[@]}"; do
-        name="$(basename -- "${paintings[index]}" .pastoso)"
+    local all=("$source"/*.pastoso)
+    ((${#all[@]} > 0)) || fail "\"$source\" holds no paintings: no file in it ends in .pastoso."
+    paintings=() missing=0
+    for painting in "${all[@]}"; do
+        name="$(basename -- "$painting" .pastoso)"
         [[ $name != *$'\n'* ]] || fail "\"$source\" holds a painting with a line break in its name."
-        [[ -e $results/$name.$format ]] || add_task $((index + 1))
+        [[ ! -e $results/$name.$format ]] || continue
+        missing=$((missing + 1))
+        ((missing > most_tasks)) || paintings+=("$painting")
     done
-    end_tasks
+}
+
+# A folder is of one resolution, or nobody could tell what is missing in it.
+check_results() {
+    local cells="$results/slurm/px-per-mm"
+    [[ ! -e $cells || $(<"$cells") == "$px_per_mm" ]] ||
+        fail "\"$results\" holds paintings on $(<"$cells") cells per millimetre; name another folder."
 }
 
 # Tasks find their painting by their number, whatever comes into the folder meanwhile.
 write_list() {
     mkdir -p -- "$results/slurm" || fail "\"$results\" cannot be made."
+    printf '%s\n' "$px_per_mm" >"$results/slurm/px-per-mm" || fail "\"$results/slurm\" cannot be written into."
     list="$(mktemp -- "$results/slurm/paintings-XXXXXX")" || fail "\"$results/slurm\" cannot be written into."
     printf '%s\n' "${paintings[@]}" >"$list"
 }
@@ -76,14 +88,16 @@ source="$(realpath -- "${places[0]}")"
 results="$(realpath -m -- "${places[1]}")"
 [[ $source != "$results" ]] || fail "\"$source\" holds the paintings themselves; name another folder for the results."
 find_program
+check_results
 list_paintings
-if ((task_count == 0)); then
+if ((missing == 0)); then
     say "All paintings stand in $results; nothing is left to paint."
     exit 0
 fi
 list="$results/slurm/paintings"
 [[ $dry_run == yes ]] || { check_sbatch; write_list; }
+tasks="1-${#paintings[@]}"
 submit_tasks pastoso-paint "$cpus" "$results" "$root/packaging/slurm/paint-again-task.sh" "$program" "$list" "$results" \
     "$px_per_mm" "$format"
-say "$task_count of ${#paintings[@]} paintings to paint at $px_per_mm cells a millimetre: job $job"
+say "${#paintings[@]} of $missing paintings to paint at $px_per_mm cells per millimetre: job $job"
 tell_job "$results" painted

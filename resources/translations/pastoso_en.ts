@@ -2853,8 +2853,8 @@
         <translation>&amp;Cells per millimetre</translation>
     </message>
     <message>
-        <source>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</translation>
+        <source>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</translation>
     </message>
 </context>
 <context>
@@ -4609,6 +4609,14 @@
     <message>
         <source>Saved %1: %2 × %3 pixels.</source>
         <translation>Saved %1: %2 × %3 pixels.</translation>
+    </message>
+    <message>
+        <source>The painting on finer cells is still being written.</source>
+        <translation>The painting on finer cells is still being written.</translation>
+    </message>
+    <message>
+        <source>Another question is open; answer it first.</source>
+        <translation>Another question is open; answer it first.</translation>
     </message>
 </context>
 <context>

@@ -2849,8 +2849,8 @@
         <translation>1 mm あたりのセル数(&amp;C)</translation>
     </message>
     <message>
-        <source>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 セル。メモリを最大 %3 GiB 使います（空き %4 GiB）。ストロークは別に描き直され、イーゼルの絵はそのまま残ります。</translation>
+        <source>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 セル。メモリを約 %3 GiB 使います（空き %4 GiB）。ストロークは別に描き直され、イーゼルの絵はそのまま残ります。</translation>
     </message>
 </context>
 <context>
@@ -4599,6 +4599,14 @@
     <message>
         <source>Saved %1: %2 × %3 pixels.</source>
         <translation>%1 を保存しました: %2 × %3 ピクセル。</translation>
+    </message>
+    <message>
+        <source>The painting on finer cells is still being written.</source>
+        <translation>より細かいセルの絵をまだ書き出しています。</translation>
+    </message>
+    <message>
+        <source>Another question is open; answer it first.</source>
+        <translation>別の質問が開いています。先に答えてください。</translation>
     </message>
 </context>
 <context>

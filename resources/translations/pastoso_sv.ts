@@ -2853,8 +2853,8 @@
         <translation>&amp;Celler per millimeter</translation>
     </message>
     <message>
-        <source>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 celler, som tar upp till %3 GiB minne; %4 GiB är lediga. Penseldragen målas om bredvid målningen på staffliet, som förblir som den är.</translation>
+        <source>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 celler, som tar omkring %3 GiB minne; %4 GiB är lediga. Penseldragen målas om bredvid målningen på staffliet, som förblir som den är.</translation>
     </message>
 </context>
 <context>
@@ -4609,6 +4609,14 @@
     <message>
         <source>Saved %1: %2 × %3 pixels.</source>
         <translation>Sparade %1: %2 × %3 pixlar.</translation>
+    </message>
+    <message>
+        <source>The painting on finer cells is still being written.</source>
+        <translation>Målningen på finare celler skrivs fortfarande.</translation>
+    </message>
+    <message>
+        <source>Another question is open; answer it first.</source>
+        <translation>En annan fråga är öppen; svara på den först.</translation>
     </message>
 </context>
 <context>

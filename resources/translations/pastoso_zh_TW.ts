@@ -2849,8 +2849,8 @@
         <translation>每公釐格數(&amp;C)</translation>
     </message>
     <message>
-        <source>%1 × %2 cells, which take up to %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 格，最多需要 %3 GiB 記憶體；可用 %4 GiB。筆觸會另外重新繪製，畫架上的畫保持不變。</translation>
+        <source>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 格，約需要 %3 GiB 記憶體；可用 %4 GiB。筆觸會另外重新繪製，畫架上的畫保持不變。</translation>
     </message>
 </context>
 <context>
@@ -4599,6 +4599,14 @@
     <message>
         <source>Saved %1: %2 × %3 pixels.</source>
         <translation>已儲存 %1：%2 × %3 像素。</translation>
+    </message>
+    <message>
+        <source>The painting on finer cells is still being written.</source>
+        <translation>更細格點的畫仍在寫入。</translation>
+    </message>
+    <message>
+        <source>Another question is open; answer it first.</source>
+        <translation>還有其他問題未回答，請先回答。</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 #include "session/live_speed.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace pastoso::session {
@@ -19,10 +21,14 @@ TEST(LiveSpeed, TheFinestIsTakenThatLeavesTimeForThePicture) {
 
 TEST(LiveSpeed, FinerCellsAreMoreWork) {
     core::ThreadPool pool;
-    const double coarse = painting_load(2.0, pool), fine = painting_load(8.0, pool);
+    // The least of several, since other programs can only make it more.
+    const auto least = [&](double px_per_mm) {
+        return std::min({painting_load(px_per_mm, pool), painting_load(px_per_mm, pool),
+                         painting_load(px_per_mm, pool)});
+    };
+    const double coarse = least(2.0);
     EXPECT_GT(coarse, 0.0);
-    // Sixteen times as many cells: no machine's other work turns that round.
-    EXPECT_GT(fine, coarse);
+    EXPECT_GT(least(8.0), coarse);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTest>
 #include <QTimer>
 
 namespace pastoso::tests {
@@ -109,6 +110,16 @@ TEST_F(RepaintWindowTest, ItIsSavedAsAPaintingOrAPicture) {
     EXPECT_EQ(files::read_grey_image(folder.path() / "finer.png").width, 360);
     parts().again.save(painted, QStringLiteral("/nowhere/finer.png"));
     wait_for([this] { return told().find("/nowhere/finer.png") != std::string::npos; });
+    repaint()->close();  // without a question: it stands in a file
+    wait_for([this] { return repaint() == nullptr; });
+}
+
+TEST_F(RepaintWindowTest, TheMainWindowAsksBeforeItCloses) {
+    start(30.0);
+    answer(QMessageBox::NoRole);
+    window().close();
+    EXPECT_TRUE(window().isVisible());
+    ASSERT_NE(repaint(), nullptr);
     repaint()->let_go();
 }
 
@@ -117,6 +128,16 @@ TEST_F(RepaintWindowTest, ItWaitsAndIsGivenUp) {
     button("repaint_pause").click();
     EXPECT_EQ(button("repaint_pause").text(), QStringLiteral("Go on"));
     EXPECT_EQ(find<QLabel>(*repaint(), "repaint_time").text(), QStringLiteral("Paused"));
+    // The tick that it was at ends; then nothing goes on.
+    wait_for([this] {
+        const double done = repaint()->repainter().status().done;
+        QTest::qWait(300);
+        return repaint()->repainter().status().done == done;
+    });
+    const double done = repaint()->repainter().status().done;
+    button("repaint_pause").click();
+    wait_for([&] { return repaint()->repainter().status().done > done; });
+    button("repaint_pause").click();
     const auto* open = repaint();
     action(Command::PaintAgain)->trigger();
     EXPECT_EQ(repaint(), open) << "one at a time";
@@ -136,7 +157,7 @@ TEST_F(RepaintWindowTest, TheDialogSaysWhatItTakes) {
     cells.setValue(16.0);
     const QString words = find<QLabel>(dialog, "summary").text();
     EXPECT_TRUE(
-        words.startsWith(QStringLiteral("960 × 640 cells, which take up to 0.2 GiB of memory; ")))
+        words.startsWith(QStringLiteral("960 × 640 cells, which take about 0.2 GiB of memory; ")))
         << words.toStdString();
     dialog.reject();
 }

@@ -115,7 +115,7 @@ TEST_F(CliExport, PaintedAgainItIsWhatAReplayOnSuchCellsIs) {
 TEST_F(CliExport, WhatItTakesToPaintItAgainIsSaidBefore) {
     const RunResult run = run_cli({"export", painting, "--again", "4", "-o", path("b.pastoso")});
     EXPECT_THAT(run.output,
-                MatchesRegex("painting 160 x 120 cells, which takes up to [1-9][0-9]* MiB of memory\n" +
+                MatchesRegex("painting 160 x 120 cells, which takes about [1-9][0-9]* MiB of memory\n" +
                              path("b.pastoso") + ": the painting in 160 x 120 cells\n"));
 }
 
@@ -131,6 +131,15 @@ TEST_F(CliExport, PicturesAndOldStrokesAreSaidBeforeTheyArePaintedAgain) {
         run_cli({"export", "-q", path("picture.pastoso"), "--again", "5", "-o", path("c.png")});
     EXPECT_EQ(picture.status, 0) << picture.errors;
     EXPECT_THAT(picture.errors, HasSubstr("picture.pastoso: a picture on it has no strokes"));
+}
+
+TEST_F(CliExport, WhatCannotBeMadeOfItIsSaidBeforeItIsPaintedAgain) {
+    const RunResult large =
+        run_cli({"export", painting, "--again", "20", "--scale", "64", "-o", path("b.png")});
+    EXPECT_EQ(large.status, 1);
+    EXPECT_THAT(large.errors, HasSubstr("larger than"));
+    EXPECT_EQ(large.output, "") << "nothing was begun";
+    EXPECT_EQ(run_cli({"export", painting, "--again", "4", "-o", painting}).status, 2);
 }
 
 TEST_F(CliExport, APaintingIsNoPicture) {

@@ -120,12 +120,13 @@ TEST_F(RenderFarm, PaintingsArePaintedAgainEachByATask) {
     write("bin/broken", "3\n");
     const RunResult first = paint({"--px-per-mm", "3"});
     ASSERT_EQ(first.status, 0) << first.errors;
-    EXPECT_THAT(first.output, HasSubstr("3 of 3 paintings to paint at 3 cells a millimetre: job 77\n"));
+    EXPECT_THAT(first.output,
+                HasSubstr("3 of 3 paintings to paint at 3 cells per millimetre: job 77\n"));
     EXPECT_THAT(options(), HasSubstr("--array=1-3\n"));
     EXPECT_FALSE(fs::exists(path("finer/d.pastoso")));
     fs::remove(path("bin/broken"));
-    EXPECT_THAT(paint({"--px-per-mm", "3"}).output, HasSubstr("1 of 3 paintings"));
-    EXPECT_THAT(options(), HasSubstr("--array=3\n"));
+    EXPECT_THAT(paint({"--px-per-mm", "3"}).output, HasSubstr("1 of 1 paintings"));
+    EXPECT_THAT(options(), HasSubstr("--array=1-1\n"));
     EXPECT_THAT(paint({"--px-per-mm", "3"}).output, HasSubstr("nothing is left to paint"));
     ASSERT_EQ(run_cli({"export", "-q", path("paintings/b c.pastoso"), "--again", "3", "-o",
                        path("alone.pastoso")})
@@ -133,7 +134,9 @@ TEST_F(RenderFarm, PaintingsArePaintedAgainEachByATask) {
               0);
     EXPECT_EQ(core::read_text_file(path("finer/b c.pastoso")),
               core::read_text_file(path("alone.pastoso")));
-    ASSERT_EQ(paint({"--px-per-mm", "2.5", "--format", "png"}).status, 0);
+    EXPECT_THAT(paint({"--px-per-mm", "4"}).errors,
+                HasSubstr("holds paintings on 3 cells per millimetre"));
+    ASSERT_EQ(paint({"--px-per-mm", "3", "--format", "png"}).status, 0);
     EXPECT_TRUE(fs::exists(path("finer/d.png"))) << core::read_text_file(path("bin/log"));
 }
 
@@ -141,6 +144,8 @@ TEST_F(RenderFarm, WhatCannotBePaintedAgainIsSaidInOneSentence) {
     fs::create_directories(path("paintings"));
     expect_sentence(paint({}), "--px-per-mm N says");
     expect_sentence(paint({"--px-per-mm", "fine"}), "--px-per-mm: \"fine\"");
+    expect_sentence(paint({"--px-per-mm", "65"}), "--px-per-mm: \"65\"");
+    expect_sentence(paint({"--px-per-mm", "0.2"}), "--px-per-mm: \"0.2\"");
     expect_sentence(paint({"--px-per-mm", "8", "--format", "gif"}), "--format: \"gif\"");
     expect_sentence(paint({"--px-per-mm", "8"}), "holds no paintings");
     expect_sentence(farm({path("paintings"), path("paintings"), "--px-per-mm", "8"}, kPaintScript),

@@ -1,5 +1,6 @@
 #include "main/files/painting_again.hpp"
 
+#include "core/fault.hpp"
 #include "dialogs/repaint_dialog.hpp"
 #include "main/files/project_files.hpp"
 #include "main/files/repaint_window.hpp"
@@ -10,6 +11,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMainWindow>
 
 namespace pastoso::main {
@@ -36,6 +38,22 @@ recordings::ExportChoice picture_of(const LightChoice& light, const QString& pat
     return choice;
 }
 
+QString written(const project::Project& painted, const recordings::ExportChoice& picture,
+                const QString& name, const BackgroundExport::Stops& stops) {
+    core::ThreadPool pool;
+    if (project::is_project_path(picture.path)) {
+        project::save_project(picture.path, painted, pool);
+        return PaintingAgain::tr("Saved %1.").arg(name);
+    }
+    const recordings::ExportReport report =
+        recordings::export_painting(painted.painting, picture, pool, [&](double) { return !stops(); });
+    if (report.status == files::ExportStatus::Stopped) return {};
+    return PaintingAgain::tr("Saved %1: %2 × %3 pixels.")
+        .arg(name)
+        .arg(report.width_px)
+        .arg(report.height_px);
+}
+
 }  // namespace
 
 PaintingAgain::PaintingAgain(Studio& studio, ProjectFiles& files, const LightChoice& light)
@@ -53,7 +71,7 @@ RepaintWindow* PaintingAgain::window() const {
 }
 
 void PaintingAgain::ask() {
-    if (RepaintWindow* open = window()) return open->raise();
+    if (RepaintWindow* open = window()) return open->come_to_front();
     const document::Recorder record = studio_.session().record();
     if (!record.changes_painting())
         return studio_.report(tr("Nothing has been painted yet that could be painted again."));
@@ -74,7 +92,19 @@ void PaintingAgain::start(const document::Recording& strokes, const std::string&
     window->show();
 }
 
+bool PaintingAgain::may_stop() {
+    if (is_saving()) studio_.report(tr("The painting on finer cells is still being written."));
+    return !is_saving() && (window() == nullptr || window()->may_go());
+}
+
+void PaintingAgain::stop() {
+    if (window() != nullptr) window()->let_go();
+}
+
+/// Not under a dialog that asks about the painting which is there.
 void PaintingAgain::put_up(const Painted& painted) {
+    if (QGuiApplication::modalWindow() != nullptr)
+        return window()->tell(tr("Another question is open; answer it first."));
     if (files_.ask_to_put_up_unsaved(painted) && window() != nullptr) window()->let_go();
 }
 
@@ -89,19 +119,24 @@ void PaintingAgain::ask_save(const Painted& painted) {
 void PaintingAgain::save(Painted painted, const QString& path) {
     const recordings::ExportChoice picture = picture_of(light_, path);
     const QString name = QFileInfo(path).fileName();
-    saving_.start(
-        [painted = std::move(painted), picture, name](const BackgroundExport::Stops& stops) -> QString {
-            core::ThreadPool pool;
-            if (project::is_project_path(picture.path)) {
-                project::save_project(picture.path, *painted, pool);
-                return tr("Saved %1.").arg(name);
-            }
-            const auto keep_going = [&](double) { return !stops(); };
-            const recordings::ExportReport report =
-                recordings::export_painting(painted->painting, picture, pool, keep_going);
-            if (report.status == files::ExportStatus::Stopped) return {};
-            return tr("Saved %1: %2 × %3 pixels.").arg(name).arg(report.width_px).arg(report.height_px);
-        });
+    saving_.start([this, painted = std::move(painted), picture,
+                   name](const BackgroundExport::Stops& stops) -> QString {
+        QString told;
+        const std::string fault =
+            core::fault_of([&] { told = written(*painted, picture, name, stops); });
+        if (!fault.empty()) told = QString::fromStdString(fault);
+        const bool is_kept = fault.empty() && project::is_project_path(picture.path);
+        QMetaObject::invokeMethod(
+            this, [this, told, is_kept] { end_saving(told, is_kept); }, Qt::QueuedConnection);
+        return told;
+    });
+}
+
+/// The painter looks at either window.
+void PaintingAgain::end_saving(const QString& told, bool is_kept) {
+    if (window() == nullptr) return;
+    window()->tell(told);
+    if (is_kept) window()->keep();
 }
 
 }  // namespace pastoso::main

@@ -31,10 +31,16 @@ class PaintingAgain : public QObject {
     void save(std::shared_ptr<const project::Project> painted, const QString& path);
     bool is_saving() const { return saving_.busy(); }
 
+    /// Whether the main window may close as far as this is concerned.
+    bool may_stop();
+    /// Gives up what is painted.
+    void stop();
+
   private:
     void ask();
     void start(const document::Recording& strokes, const std::string& name);
     void ask_save(const std::shared_ptr<const project::Project>& painted);
+    void end_saving(const QString& told, bool is_kept);
     void put_up(const std::shared_ptr<const project::Project>& painted);
 
     Studio& studio_;

@@ -98,8 +98,19 @@ void RepaintWindow::show_published() {
 }
 
 void RepaintWindow::let_go() {
-    is_kept_ = true;
+    keep();
     close();
+}
+
+void RepaintWindow::tell(const QString& sentence) {
+    time_->setText(sentence);
+    time_->setToolTip(sentence);
+}
+
+void RepaintWindow::come_to_front() {
+    if (isMinimized()) showNormal();
+    raise();
+    activateWindow();
 }
 
 bool RepaintWindow::may_go() {

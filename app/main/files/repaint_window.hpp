@@ -23,8 +23,16 @@ class RepaintWindow : public WatchedWindow {
 
     const session::Repainter& repainter() const { return *repainter_; }
 
-    /// Closes it without a question: what it painted is elsewhere.
+    /// Whether what it paints may be lost, which the painter is asked unless it is kept elsewhere.
+    bool may_go();
+    /// It is kept elsewhere.
+    void keep() { is_kept_ = true; }
+    /// Closes it without a question.
     void let_go();
+
+    /// A sentence beside the buttons, until there is another.
+    void tell(const QString& sentence);
+    void come_to_front();
 
     /// What paints, when the window closes: its end waits for the tick that it is at, which may take a
     /// while.
@@ -43,7 +51,6 @@ class RepaintWindow : public WatchedWindow {
   private:
     QWidget* controls();
     void show_published();
-    bool may_go();
 
     QProgressBar* progress_ = nullptr;
     QLabel* time_ = nullptr;

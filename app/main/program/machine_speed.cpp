@@ -9,11 +9,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace pastoso::main {
 namespace {
 
 constexpr int kVersion = 1, kMostProcessors = 1 << 16;
+constexpr double kUnmeasured_px_per_mm = 4.0;
 
 std::filesystem::path file() {
     return core::user_state_path("machine.json");
@@ -37,8 +39,12 @@ std::optional<double> kept(int processors) {
 double live_px_per_mm() {
     core::ThreadPool pool;
     if (const auto known = kept(pool.thread_count())) return *known;
-    const double measured = session::live_px_per_mm(
-        [&](double px_per_mm) { return session::painting_load(px_per_mm, pool); });
+    double measured = kUnmeasured_px_per_mm;
+    const std::string fault = core::fault_of([&] {
+        measured = session::live_px_per_mm(
+            [&](double px_per_mm) { return session::painting_load(px_per_mm, pool); });
+    });
+    if (!fault.empty()) return measured;
     core::fault_of([&] {
         tools::write_memory(
             {{"version", kVersion}, {"processors", pool.thread_count()}, {"live_px_per_mm", measured}},
