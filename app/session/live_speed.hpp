@@ -9,8 +9,7 @@ namespace pastoso::session {
 
 /// Seconds that a second of painting takes on all processors of `pool`: a flat brush 20 mm wide, full of
 /// heavy-body oil, goes to and fro over its own wet paint at 200 mm/s on cells of `px_per_mm` a
-/// millimetre. It is measured for half a
-/// second of painting, or until that has taken half a second.
+/// millimetre. It is measured for half a second of painting, or until that has taken half a second.
 double painting_load(double px_per_mm, core::ThreadPool& pool);
 
 /// The finest of 8, 6 and 4 cells a millimetre at which painting takes less than a fifth of its time; 4
