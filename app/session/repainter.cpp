@@ -20,12 +20,16 @@ Repainter::Repainter(document::Recording strokes, std::string name, Notify notif
 }
 
 Repainter::~Repainter() {
+    give_up();
+    thread_.join();
+}
+
+void Repainter::give_up() {
     {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
     }
     changed_.notify_all();
-    thread_.join();
 }
 
 void Repainter::set_paused(bool paused) {
@@ -67,7 +71,7 @@ void Repainter::run() {
         status_.done = 1.0;
         painted_ = std::make_shared<const project::Project>(*std::move(painted));
     }
-    notify_();
+    tell();
 }
 
 void Repainter::fail(const std::string& sentence) {
@@ -75,7 +79,12 @@ void Repainter::fail(const std::string& sentence) {
         const std::lock_guard lock(mutex_);
         status_.error = sentence;
     }
-    notify_();
+    tell();
+}
+
+void Repainter::tell() {
+    const std::lock_guard lock(mutex_);
+    if (!stopping_) notify_();
 }
 
 /// Waits while it is paused.
@@ -95,7 +104,7 @@ void Repainter::publish(const document::Painting& painting) {
         snapshot_ = std::move(snapshot);
     }
     published_at_ = Clock::now();
-    notify_();
+    tell();
 }
 
 }  // namespace pastoso::session

@@ -27,12 +27,15 @@ class Repainter {
 
     /// Begins at once, on the canvas of the strokes, with what processor time the painting on the easel
     /// leaves. `name` stands for the painting in sentences. `notify` is called on the repainter's thread
-    /// when there is something new to show; it must return at once.
+    /// when there is something new to show; it must return at once, and ask nothing of the repainter.
     Repainter(document::Recording strokes, std::string name, Notify notify);
-    /// Gives up what is not painted yet.
+    /// Gives up what is not painted yet, and waits for the tick that it is at.
     ~Repainter();
     Repainter(const Repainter&) = delete;
     Repainter& operator=(const Repainter&) = delete;
+
+    /// Nothing is told once this has returned; the tick that it is at is not waited for.
+    void give_up();
 
     void set_paused(bool paused);
 
@@ -45,6 +48,7 @@ class Repainter {
 
     void run();
     void fail(const std::string& sentence);
+    void tell();
     bool goes_on(double done);
     void publish(const document::Painting& painting);
 

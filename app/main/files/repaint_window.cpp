@@ -102,6 +102,11 @@ void RepaintWindow::let_go() {
     close();
 }
 
+std::unique_ptr<session::Repainter> RepaintWindow::take_repainter() {
+    if (repainter_ != nullptr) repainter_->give_up();
+    return std::move(repainter_);
+}
+
 void RepaintWindow::tell(const QString& sentence) {
     time_->setText(sentence);
     time_->setToolTip(sentence);

@@ -34,9 +34,9 @@ class RepaintWindow : public WatchedWindow {
     void tell(const QString& sentence);
     void come_to_front();
 
-    /// What paints, when the window closes: its end waits for the tick that it is at, which may take a
-    /// while.
-    std::unique_ptr<session::Repainter> take_repainter() { return std::move(repainter_); }
+    /// What paints, given up when the window closes: its end waits for the tick that it is at, which may
+    /// take a while.
+    std::unique_ptr<session::Repainter> take_repainter();
 
   Q_SIGNALS:
     /// The painter wants the whole painting on the easel, or in a file.
