@@ -212,7 +212,8 @@ ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dith
     for (CellBatch::TilePart& part : batch.parts()) {
         const bool has_strata = film.lower.is_in(part.tile);
         part.changes = changes_anything(batch, part, has_strata && rule.depth > 0.0F);
-        part.has_strata = has_strata || (part.changes && begins_strata(rule, batch, part, film));
+        part.has_strata =
+            has_strata || (part.changes && wanted.may_bury && begins_strata(rule, batch, part, film));
         any_strata = any_strata || part.has_strata;
     }
     if (any_strata) rule.hiding_quanta = hiding_quanta(rule.given);

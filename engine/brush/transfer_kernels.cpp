@@ -139,19 +139,30 @@ PASTOSO_LANE_FUNCTION std::int64_t total(Wide sums) {
     return static_cast<std::int64_t>(sum);
 }
 
+/// Cells that gain paint on enough of what the pass found, with hardly any of the stroke's own, and for
+/// which it isn't settled yet whether that is buried. At the front of a thick stroke paint flows onto
+/// what was found, up to as much again between touches.
+PASTOSO_LANE_FUNCTION Ints::MaskOf may_be_buried(Ints held, Ints found, Ints change, Ints swap) {
+    return held - found < film::kLeastStratum_quanta + found &&
+           lanes::min(held, found) >= film::kLeastStratum_quanta && lanes::max(change, swap) > Ints(0);
+}
+
 template <bool kLane, class Profile>
 PASTOSO_LANE_FUNCTION WantedSums plan_batch(const ExchangeRule& rule, const BatchColumns& batch) {
     const Profile profile(rule);
     Wide deposit(0), swap(0);
+    Ints::MaskOf buries = Ints(0) > Ints(0);
     for (int i = 0; i < batch.padded_count; i += kLanes) {
         const Wanted wanted = wanted_at<kLane>(rule, profile, batch, i);
+        buries = buries || may_be_buried(lanes::load<Ints>(batch.thickness + i),
+                                         lanes::load<Ints>(batch.found + i), wanted.change, wanted.swap);
         lanes::store(batch.change + i, wanted.change);
         lanes::store(batch.swap + i, wanted.swap);
         lanes::store(batch.touched + i, wanted.touched);
         add_to(deposit, lanes::max(wanted.change, Ints(0)));
         add_to(swap, wanted.swap);
     }
-    return {total(deposit), total(swap)};
+    return {total(deposit), total(swap), lanes::any(buries)};
 }
 
 /// Numbers in [0, 1) that are spread evenly over neighbouring cells: roundings with them have no bias.
@@ -349,15 +360,10 @@ PASTOSO_LANE_FUNCTION Ints gain_of(const CellChanges& changes, int i) {
            lanes::max(lanes::load<Ints>(changes.thickness + i), Ints(0));
 }
 
-/// Cells from `i` on that gain paint on enough of what the pass found, with hardly any of the stroke's
-/// own, and for which it isn't settled yet whether that is buried.
+/// Of a tile's cells from `i` on.
 PASTOSO_LANE_FUNCTION Ints::MaskOf may_be_buried(const TileCells& cells, int i) {
-    const auto held = lanes::load<Ints>(cells.held + i), found = lanes::load<Ints>(cells.found + i);
-    const auto change = lanes::load<Ints>(cells.change + i), swap = lanes::load<Ints>(cells.swap + i);
-    // At the front of a thick stroke paint flows onto what was found, up to as much again between
-    // touches.
-    return held - found < film::kLeastStratum_quanta + found &&
-           lanes::min(held, found) >= film::kLeastStratum_quanta && lanes::max(change, swap) > Ints(0) &&
+    return may_be_buried(lanes::load<Ints>(cells.held + i), lanes::load<Ints>(cells.found + i),
+                         lanes::load<Ints>(cells.change + i), lanes::load<Ints>(cells.swap + i)) &&
            lanes::counting<Ints>() + i < cells.count;
 }
 

@@ -45,10 +45,11 @@ struct ExchangeRule {
     float mix_depth_mm;    ///< the tool's own layer in that comparison
 };
 
-/// Sums over the batch of what the rule wants, quanta.
+/// What the rule wants of a batch: sums over its cells, quanta.
 struct WantedSums {
     std::int64_t deposit = 0;
     std::int64_t swap = 0;
+    bool may_bury = true;  ///< paint may come onto enough of what a pass found for that to be buried
 };
 
 /// Scales that keep a tool from giving more than it has, and the paint it gives.

@@ -187,6 +187,18 @@ PASTOSO_LANE_FUNCTION bool may_have_any(bool condition) {
     return condition;
 }
 
+/// The lanes of each mask of eight, packed: those where it holds, one after the other, then any.
+struct PackedLanes {
+    std::uint8_t of[256][8] = {};
+
+    constexpr PackedLanes() {
+        for (int mask = 0; mask < 256; ++mask)
+            for (int lane = 0, count = 0; lane < 8; ++lane)
+                if ((mask >> lane & 1) != 0) of[mask][count++] = static_cast<std::uint8_t>(lane);
+    }
+};
+inline constexpr PackedLanes kPackedLanes;
+
 /// Writes the numbers where the mask holds, one after the other, and returns how many. Up to N numbers
 /// are overwritten in all.
 template <int N>
@@ -198,6 +210,15 @@ PASTOSO_LANE_FUNCTION int store_compressed(std::int32_t* to, Lanes<std::int32_t,
             _mm512_maskz_compress_epi32(mask.value, reinterpret_cast<__m512i>(values.raw));
         __builtin_memcpy(to, &first, sizeof first);
         return __builtin_popcount(mask.value);
+    } else
+#elif defined(__AVX2__)
+    if constexpr (N == 8) {
+        const int bits = _mm256_movemask_ps(reinterpret_cast<__m256>(mask.value));
+        const __m256i lanes = _mm256_cvtepu8_epi32(
+            _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPackedLanes.of[bits])));
+        const __m256i first = _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(values.raw), lanes);
+        __builtin_memcpy(to, &first, sizeof first);
+        return __builtin_popcount(static_cast<unsigned>(bits));
     } else
 #endif
     {

@@ -384,6 +384,26 @@ TEST(ApplyStrata, PaintNearToTheUpperStratumJoinsIt) {
     EXPECT_EQ(batch.lower_thickness, found);
 }
 
+TEST(Plan, SaysWhetherPaintThatWasFoundMayBeBuried) {
+    const auto may_bury = [](std::int32_t found_quanta, float gain_mm) {
+        RandomBatch batch(1);
+        const std::int32_t held_quanta = std::max(found_quanta, settled(found_quanta));
+        batch.thickness.assign(RandomBatch::kCount, held_quanta);
+        batch.found.assign(RandomBatch::kCount, found_quanta);
+        batch.support_mm.assign(RandomBatch::kCount, 0.0F);
+        ExchangeRule rule = batch.rule(false, false);
+        rule.lowest_mm = -1.0F;
+        rule.underside_mm =
+            static_cast<float>(held_quanta * film::kThicknessQuantum_mm) + gain_mm - rule.profile_mm;
+        return core::kernels<TransferKernels>().plan(rule, batch.columns()).may_bury;
+    };
+    constexpr auto kThick_quanta = static_cast<std::int32_t>(0.3 / film::kThicknessQuantum_mm);
+    EXPECT_TRUE(may_bury(kThick_quanta, 0.5F));
+    EXPECT_FALSE(may_bury(settled(kThick_quanta), 0.5F)) << "it is settled in this pass";
+    EXPECT_FALSE(may_bury(0, 0.5F)) << "nothing was found";
+    EXPECT_FALSE(may_bury(film::kLeastStratum_quanta - 1, 0.5F)) << "too thin for a stratum";
+}
+
 class EveryInstructionSet : public testing::TestWithParam<core::Isa> {};
 
 TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
@@ -399,6 +419,7 @@ TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
         const WantedSums sums = kernels.plan(actual.rule(lane, side_by_side), actual.columns());
         EXPECT_EQ(sums.deposit, expected_sums.deposit) << "seed " << seed;
         EXPECT_EQ(sums.swap, expected_sums.swap) << "seed " << seed;
+        EXPECT_EQ(sums.may_bury, expected_sums.may_bury) << "seed " << seed;
         EXPECT_EQ(actual.change, expected.change) << "seed " << seed;
         EXPECT_EQ(actual.swap, expected.swap) << "seed " << seed;
         EXPECT_EQ(actual.touched, expected.touched) << "seed " << seed;
