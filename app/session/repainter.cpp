@@ -20,11 +20,11 @@ Repainter::Repainter(document::Recording strokes, std::string name, Notify notif
 }
 
 Repainter::~Repainter() {
-    give_up();
+    cancel();
     thread_.join();
 }
 
-void Repainter::give_up() {
+void Repainter::cancel() {
     {
         const std::lock_guard lock(mutex_);
         stopping_ = true;

@@ -35,7 +35,7 @@ class Repainter {
     Repainter& operator=(const Repainter&) = delete;
 
     /// Nothing is told once this has returned; the tick that it is at is not waited for.
-    void give_up();
+    void cancel();
 
     void set_paused(bool paused);
 

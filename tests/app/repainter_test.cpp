@@ -78,7 +78,7 @@ TEST(Repainter, TellsNothingOnceItIsGivenUp) {
         is_given_up = false;
         Repainter repainter(long_tick_that_fails(), "strokes", [&] { told_late += is_given_up; });
         std::this_thread::sleep_for(std::chrono::milliseconds(10 * round));
-        repainter.give_up();
+        repainter.cancel();
         is_given_up = true;
     }
     EXPECT_EQ(told_late, 0);

@@ -103,7 +103,7 @@ void RepaintWindow::let_go() {
 }
 
 std::unique_ptr<session::Repainter> RepaintWindow::take_repainter() {
-    if (repainter_ != nullptr) repainter_->give_up();
+    if (repainter_ != nullptr) repainter_->cancel();
     return std::move(repainter_);
 }
 
