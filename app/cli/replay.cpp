@@ -42,16 +42,12 @@ void check_outputs(const ReplayOptions& options, const recordings::PictureStyle&
 void play(document::Painting& painting, const document::Recording& recording,
           const ReplayOptions& options, FrameWriter* frames) {
     painting.keep_undo_steps(document::undo_depth(recording));
-    document::Player player(painting, recording);
+    document::Player player(painting, recording, options.strokes);
     Progress progress("painting", Progress::style_for_stderr(options.quiet));
     while (!player.finished()) {
         stop_if_interrupted();
         if (frames != nullptr) frames->write_if_due(painting);
-        try {
-            player.play_tick();
-        } catch (const core::InputError& error) {
-            throw core::InputError(options.strokes + ", " + error.what());
-        }
+        player.play_tick();
         progress.update(player.progress());
     }
     if (frames != nullptr) frames->write_if_due(painting);

@@ -39,7 +39,8 @@ void Player::apply_due_events() {
         try {
             painting_.apply(events[next_event_].action);
         } catch (const core::InputError& error) {
-            throw core::InputError("event " + std::to_string(next_event_) + ": " + error.what());
+            const std::string event = "event " + std::to_string(next_event_) + ": " + error.what();
+            throw core::InputError(name_.empty() ? event : name_ + ", " + event);
         }
     }
 }

@@ -5,6 +5,8 @@
 #include "document/painting.hpp"
 
 #include <cstddef>
+#include <string>
+#include <utility>
 
 namespace pastoso::document {
 
@@ -15,14 +17,14 @@ std::size_t undo_depth(const Recording& recording);
 class Player {
   public:
     /// The recording's events are applied to `painting` at the painting's own ticks; both outlive the
-    /// player.
-    Player(Painting& painting, const Recording& recording)
-        : painting_(painting), recording_(recording) {}
+    /// player. `name` stands for the recording in sentences.
+    Player(Painting& painting, const Recording& recording, std::string name = {})
+        : painting_(painting), recording_(recording), name_(std::move(name)) {}
 
     bool finished() const;
 
     /// Applies the events of the current tick, then lets the tick pass (not after the recording's end).
-    /// Throws InputError "event N: ..." with N counted from 0.
+    /// Throws InputError "NAME, event N: ..." (without a name "event N: ...") with N counted from 0.
     void play_tick();
 
     /// The share of the recording's ticks that have passed, 0 to 1.
@@ -33,6 +35,7 @@ class Player {
 
     Painting& painting_;
     const Recording& recording_;
+    const std::string name_;
     std::size_t next_event_ = 0;
 };
 

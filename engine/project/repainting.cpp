@@ -62,14 +62,10 @@ std::optional<Project> repaint(const document::Recording& strokes, const std::st
     const std::unique_ptr<document::Painting> painting =
         core::naming(name, [&] { return recordings::make_painting(strokes.canvas, pool); });
     painting->keep_undo_steps(document::undo_depth(strokes));
-    document::Player player(*painting, strokes);
+    document::Player player(*painting, strokes, name);
     while (!player.finished()) {
         if (!keep_going(player.progress())) return std::nullopt;
-        try {
-            player.play_tick();
-        } catch (const core::InputError& error) {
-            throw core::InputError(name + ", " + error.what());
-        }
+        player.play_tick();
         view(*painting);
     }
     return finished_project(*painting, strokes);

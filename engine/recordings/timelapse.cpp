@@ -48,16 +48,12 @@ bool play(const Recording& recording, const TimelapseChoice& choice, const std::
     const auto make = [&] { return make_painting(recording.canvas, pool); };
     const std::unique_ptr<document::Painting> painting = core::naming(choice.strokes, make);
     painting->keep_undo_steps(document::undo_depth(recording));
-    document::Player player(*painting, recording);
+    document::Player player(*painting, recording, choice.strokes);
     for (std::size_t frame = 0; frame < wanted.size(); ++frame) {
         const bool at_end = ticks[frame] == recording.end_tick;
         while (at_end ? !player.finished() : painting->tick() < ticks[frame]) {
             if (!keep_going(player.progress())) return false;
-            try {
-                player.play_tick();
-            } catch (const core::InputError& error) {
-                throw core::InputError(choice.strokes + ", " + error.what());
-            }
+            player.play_tick();
         }
         if (wanted[frame]) show(frame, painting->snapshot());
     }
