@@ -1,6 +1,7 @@
 // A painting that is painted again, and one that is given up.
 #include "session/repainter.hpp"
 
+#include "app/recorded_strokes.hpp"
 #include "document/painting_state.hpp"
 #include "document/player.hpp"
 
@@ -15,29 +16,10 @@ namespace {
 
 using namespace document;
 
-/// A second of one stroke of runny paint.
+/// A second of it.
 Recording one_stroke(double px_per_mm) {
-    CanvasSettings canvas;
-    canvas.width_mm = 40.0;
-    canvas.height_mm = 30.0;
-    canvas.px_per_mm = px_per_mm;
-    Recording recording{canvas, {}, 60};
-    recording.events = {{0, UseMedium{"house paint"}}, {0, TiltCanvas{60.0, 90.0}}};
-    recording.events.push_back({0, TakeBrush{"Flat bristle 20", 8.0, 1}});
-    LoadPaint dip;
-    dip.paint.ingredients = {{"PB29", 1.0}};
-    recording.events.push_back({0, dip});
-    const auto sample_at = [](int tick) {
-        brush::PenSample sample;
-        sample.time_s = tick * kTick_s;
-        sample.x_mm = 6.0 + tick;
-        sample.y_mm = 10.0;
-        return sample;
-    };
-    recording.events.push_back({1, PenDown{sample_at(1)}});
-    for (int tick = 2; tick < 26; ++tick)
-        recording.events.push_back({tick, PenMove{sample_at(tick)}});
-    recording.events.push_back({26, PenUp{}});
+    Recording recording = tests::runny_recording(px_per_mm, 60);
+    tests::add_stroke(recording, 1, 10.0);
     return recording;
 }
 

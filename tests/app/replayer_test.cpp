@@ -1,6 +1,8 @@
 // A recording that is watched: the same paint at every moment, however one comes there.
 #include "session/replayer.hpp"
 
+#include "app/recorded_strokes.hpp"
+
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
@@ -14,43 +16,13 @@ namespace {
 using namespace document;
 using ::testing::HasSubstr;
 
-CanvasSettings small_canvas() {
-    CanvasSettings canvas;
-    canvas.width_mm = 40.0;
-    canvas.height_mm = 30.0;
-    canvas.px_per_mm = 2.0;
-    return canvas;
-}
-
-void add_stroke(Recording& recording, std::int64_t tick, double y_mm) {
-    const auto add = [&](std::int64_t later, Action action) {
-        recording.events.push_back({tick + later, std::move(action)});
-    };
-    const auto sample_at = [&](int i) {
-        brush::PenSample sample;
-        sample.time_s = static_cast<double>(tick + i) * kTick_s;
-        sample.x_mm = 6.0 + i;
-        sample.y_mm = y_mm;
-        return sample;
-    };
-    add(0, PenDown{sample_at(0)});
-    for (int i = 1; i <= 25; ++i)
-        add(i, PenMove{sample_at(i)});
-    add(26, PenUp{});
-}
-
-/// Runny paint on a steep canvas, so that every tick shows; 33 s of it.
+/// 33 s of them.
 Recording four_strokes() {
-    Recording recording{small_canvas(), {}, 2000};
-    recording.events = {{0, UseMedium{"house paint"}}, {0, TiltCanvas{60.0, 90.0}}};
-    recording.events.push_back({0, TakeBrush{"Flat bristle 20", 8.0, 1}});
-    LoadPaint dip;
-    dip.paint.ingredients = {{"PB29", 1.0}};
-    recording.events.push_back({0, dip});
-    add_stroke(recording, 10, 5.0);
-    add_stroke(recording, 500, 10.0);
-    add_stroke(recording, 1000, 15.0);
-    add_stroke(recording, 1500, 20.0);
+    Recording recording = tests::runny_recording(2.0, 2000);
+    tests::add_stroke(recording, 10, 5.0);
+    tests::add_stroke(recording, 500, 10.0);
+    tests::add_stroke(recording, 1000, 15.0);
+    tests::add_stroke(recording, 1500, 20.0);
     recording.events.push_back({2000, DryNow{}});  // after the last tick
     return recording;
 }
