@@ -44,6 +44,7 @@ class Board {
         if (white > 0.0) paint.ingredients.push_back({"PW6", white});
         painting_.apply(LoadPaint{.paint = paint});
     }
+    void load_clear() { painting_.apply(LoadPaint{}); }
     void load_two() {
         painting_.apply(LoadPaint{.paint = {.ingredients = {{"PB28", 1.0}, {"PW6", 0.2}}},
                                   .second = {.ingredients = {{"PB28", 1.0}, {"PW6", 1.2}}},
@@ -182,9 +183,10 @@ pigment::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_
 pigment::Image8 thumbnail(const film::Medium& medium, int width_px, int height_px,
                           core::ThreadPool& pool) {
     constexpr double kSeen_mm = 24.0, kTilt_deg = 80.0, kTilted_s = 8.0;
+    const bool clear = medium.solid_fraction == 0.0;
     Board board(kSeen_mm, width_px, height_px, pool);
     black_half(board);
-    board.use_medium(medium.name);
+    board.use_medium(clear ? "linseed oil" : medium.name);
     board.take("Flat bristle 20", 0.25 * kSeen_mm);
     board.load("PR108", 0.0);
     board.move(0.6, [](double u) {
@@ -193,8 +195,12 @@ pigment::Image8 thumbnail(const film::Medium& medium, int width_px, int height_p
                          .pressure = 0.5 * rise_and_fall(u),
                          .rotation_deg = 90.0};
     });
+    board.use_medium(medium.name);
     board.take(brush::find_preset("Dropper"));
-    board.load("PR108", 0.0);
+    if (clear)
+        board.load_clear();
+    else
+        board.load("PR108", 0.0);
     for (const double x : {0.3, 0.65})
         board.move(0.05, [&](double) { return PenSample{.x_mm = x, .y_mm = 0.36, .pressure = 1.0}; });
     board.tilt(kTilt_deg, kTilted_s);

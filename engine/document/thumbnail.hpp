@@ -16,7 +16,7 @@ pigment::Image8 thumbnail(const brush::Preset& preset, int width_px, int height_
 
 /// A stroke of red and two drops in the bundled medium of that name, on a board of which the right half
 /// is black, and stood up for some seconds: ridges and levelling, drips, how much of the ground it lets
-/// through.
+/// through. A medium without solids drops clear on red linseed oil.
 pigment::Image8 thumbnail(const film::Medium& medium, int width_px, int height_px,
                           core::ThreadPool& pool);
 

@@ -92,5 +92,18 @@ TEST(MediumThumbnail, HousePaintRunsAndOilStands) {
     EXPECT_GT(reddest_below("house paint"), reddest_below("heavy-body oil") + 3);
 }
 
+TEST(MediumThumbnail, ThinnerTakesTheOilThatItFallsOnDownAndClearsIt) {
+    const pigment::Image8 thinner = swatch("thinner"), oil = swatch("linseed oil");
+    const auto is_red = [](const pigment::Image8& image, double x, double y) {
+        const Rgb rgb = colour_at(image, x, y);
+        return rgb.red > 2 * rgb.green;
+    };
+    EXPECT_TRUE(is_red(thinner, 0.25, 0.25)) << "the oil's stroke";
+    EXPECT_TRUE(is_red(thinner, 0.3, 0.8));
+    EXPECT_FALSE(is_red(oil, 0.3, 0.8)) << "it stands without thinner";
+    EXPECT_LT(colour_at(thinner, 0.7, 0.7).red, 0.8 * colour_at(oil, 0.7, 0.35).red)
+        << "more of the black is seen";
+}
+
 }  // namespace
 }  // namespace pastoso::document
