@@ -51,7 +51,7 @@ struct SolverOptions {
     bool sleeping = true;        ///< tiles at rest are left out until something wakes them
     double fixed_step_s = 0.0;   ///< 0: the step follows the stability limit
     /// How long paint that hardly moves may lag behind, to be brought up to date in one step: a tile
-    /// waits for as long as nothing in it would move by a fifth of a cell. 0: advance() brings all
+    /// waits while nothing seen in it would move by two fifths of a cell. 0: advance() brings all
     /// paint up to date.
     double longest_wait_s = 0.0;
 };

@@ -41,8 +41,7 @@ UnseenTravel::UnseenTravel(double cell_mm) {
     };
     at_rest_mm = 1e-3F * static_cast<float>(cell_mm);
     waking_mm = 5e-4F * static_cast<float>(cell_mm);
-    waiting_mm = travel_mm(0.2);
-    touched_mm = travel_mm(0.4);
+    waiting_mm = travel_mm(0.4);
     dammed_mm = travel_mm(0.02);
 }
 
@@ -80,9 +79,9 @@ void ActivityMap::wake(int tile) {
     activity.motion = {};
 }
 
-/// Of the fastest paint in a tile, and of what comes towards it from beside it.
+/// Of the fastest paint that is seen in a tile, and of what comes towards it from beside it.
 float ActivityMap::speed_mm_s(int tile) const {
-    float speed = tiles_[tile].extremes.speed_mm_s;
+    float speed = tiles_[tile].extremes.seen_speed_mm_s;
     for (const Side side : {kLeft, kRight, kTop, kBottom}) {
         const int other = neighbour(tile, side);
         if (other >= 0) speed = std::max(speed, tiles_[other].side_speeds_mm_s[opposite(side)]);
@@ -93,13 +92,11 @@ float ActivityMap::speed_mm_s(int tile) const {
 int ActivityMap::calls_to_wait(int tile, double seconds, double longest_wait_s) const {
     const TileActivity& activity = tiles_[tile];
     if (!activity.measured || remembers_motion(activity.extremes, seconds)) return 1;
-    const bool touched = activity.changed_from_outside;
-    const int most_calls = touched ? kMostCallsWhileTouched : kLongestPace;
-    const double allowed_mm = touched ? unseen_.touched_mm : unseen_.waiting_mm;
+    const int most_calls = activity.changed_from_outside ? kMostCallsWhileTouched : kLongestPace;
     const double travel_mm = speed_mm_s(tile) * seconds;
     int calls = 1;
     while (2 * calls <= most_calls && 2 * calls * seconds <= longest_wait_s &&
-           2 * calls * travel_mm <= allowed_mm)
+           2 * calls * travel_mm <= unseen_.waiting_mm)
         calls *= 2;
     return calls;
 }

@@ -49,10 +49,8 @@ struct UnseenTravel {
     float at_rest_mm;
     /// Motion beside an edge that wakes the tile behind it.
     float waking_mm;
-    /// Paint may wait for as long as it moves by less than this: a fifth of a cell.
+    /// Paint may wait for as long as it moves by less than this: two fifths of a cell.
     float waiting_mm;
-    /// The same while a tool works on the paint, which moves it much further than it flows.
-    float touched_mm;
     /// Two tiles that wait differently dam up what flows from one to the other until the slower one is
     /// stepped: they do so only while that is less than what fills this much of a cell.
     float dammed_mm;

@@ -64,7 +64,7 @@ ActivityRecord activity_record(const film::TileActivity& activity) {
     words.put(activity.extremes.mobility);
     words.put(activity.extremes.thickness_mm);
     words.put(activity.extremes.speed_mm_s);
-    words.put(static_cast<std::uint32_t>(activity.extremes.clamped_faces));
+    words.put(activity.extremes.seen_speed_mm_s);
     return record;
 }
 
@@ -85,7 +85,7 @@ film::TileActivity activity_of(const ActivityRecord& record) {
     activity.extremes.mobility = words.number();
     activity.extremes.thickness_mm = words.number();
     activity.extremes.speed_mm_s = words.number();
-    activity.extremes.clamped_faces = static_cast<int>(words.word() & 0x7fffffffU);
+    activity.extremes.seen_speed_mm_s = words.number();
     return activity;
 }
 
@@ -94,7 +94,7 @@ bool is_possible(const film::TileActivity& activity) {
                     activity.window_s >= 0.0F && activity.window_s <= kLongestWindow_s;
     possible = possible && is_amount(activity.motion.largest_mm) &&
                is_amount(activity.extremes.mobility) && is_amount(activity.extremes.thickness_mm) &&
-               is_amount(activity.extremes.speed_mm_s);
+               is_amount(activity.extremes.speed_mm_s) && is_amount(activity.extremes.seen_speed_mm_s);
     for (int side = 0; side < film::kSideCount; ++side)
         possible = possible && is_amount(activity.motion.near_side_mm[side]) &&
                    is_amount(activity.side_speeds_mm_s[side]);

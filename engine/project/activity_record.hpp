@@ -10,7 +10,8 @@ namespace pastoso::project {
 
 /// Little-endian words: flags (1 measured, 2 changed from outside); the time it waits (a double); the
 /// window's time; its motion, largest and near the four sides; the speeds across and beside the four
-/// sides; mobility, thickness and speed at most, clamped faces.
+/// sides; mobility, thickness and speed at most; the speed seen. Earlier programs told a count of faces
+/// in its place, which reads as next to none: such paint waits for a second at most, as slow paint does.
 using ActivityRecord = std::array<std::uint32_t, 17>;
 
 ActivityRecord activity_record(const film::TileActivity& activity);

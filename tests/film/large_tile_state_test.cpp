@@ -39,6 +39,27 @@ TEST(LargeTileState, IsCorrectedWhereItsErrorIsTooLargeOrNoNumber) {
     EXPECT_FALSE(after_error(at_start(), kTolerance).is_corrected());
 }
 
+TEST(LargeTileState, FlowIsStaleOnceWhatMakesItHasChanged) {
+    const auto with_known_flow = [] {
+        LargeTileState state = after_error(at_start(), 0.0F);
+        state.blend(false, false);
+        state.note_flow();
+        return state;
+    };
+    EXPECT_TRUE(at_start().flow_is_stale());
+    EXPECT_FALSE(with_known_flow().flow_is_stale());
+    LargeTileState changed = with_known_flow(), moved = with_known_flow(), beside = with_known_flow();
+    changed.change_equations();
+    moved.blend(true, false);
+    beside.join_moved();
+    for (const LargeTileState& state : {changed, moved, beside})
+        EXPECT_TRUE(state.flow_is_stale());
+    LargeTileState same = with_known_flow();
+    same.enter_sweep(false);
+    same.blend(false, true);
+    EXPECT_FALSE(same.flow_is_stale());
+}
+
 TEST(LargeTileState, ErrorsOfATileThatDoesNotCountStayAsTheyWere) {
     LargeTileState state = after_error(at_start(), 0.1F);
     state.blend(false, false);

@@ -2,6 +2,7 @@
 // each scheme, and as many others and fresh ones in the long set (long_property_test.cpp).
 #include "film/random_paint.hpp"
 
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -50,6 +51,44 @@ TEST(ThickNoise, IsSolvedBesideOpenEdgesAsBesideWalls) {
     for (const std::uint32_t seed : {1, 2, 3, 4, 5})
         EXPECT_LE(sweeps_of_thick_noise(seed, Edge::Open), 2 * sweeps_of_thick_noise(seed, Edge::Wall))
             << seed;
+}
+
+/// Eight tiles in a row: paint with ripples in the first two, and in the last two, where `with_thin`
+/// says so, drops on a steep canvas of which many cells run empty in a step.
+struct RippleAndThinFilm {
+    explicit RippleAndThinFilm(bool with_thin) : bench(scene()) {
+        std::mt19937 random(1);
+        bench.fill([&](int x, int y) {
+            const double noise = std::uniform_real_distribution<double>()(random);
+            if (x < 120) return 0.3 + 0.1 * std::sin(0.4 * x) * std::cos(0.3 * y);
+            return with_thin && x >= 400 && noise > 0.7 ? 0.2 * noise : 0.0;
+        });
+        report = bench.solver->step(1.0 / 60.0);
+    }
+    static Scene scene() {
+        Scene scene{.width = 512,
+                    .height = 64,
+                    .cell_mm = 0.125,
+                    .gravity = 9000,
+                    .force_y = 5000,
+                    .viscosity = 50.0,
+                    .tension = 2.5e4,
+                    .edge_x = Edge::Wall,
+                    .edge_y = Edge::Wall};
+        scene.solver.scheme = film::Scheme::LargeStep;
+        return scene;
+    }
+    Bench bench;
+    AdvanceReport report;
+};
+
+TEST(Supply, CellsThatRunEmptyChangeNothingFarAway) {
+    const RippleAndThinFilm alone(false), beside(true);
+    EXPECT_GT(beside.report.sweeps, alone.report.sweeps + 3) << "cells did run empty";
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 256; ++x)
+            ASSERT_EQ(beside.bench.state.thickness.at(x, y), alone.bench.state.thickness.at(x, y))
+                << x << ", " << y;
 }
 
 }  // namespace

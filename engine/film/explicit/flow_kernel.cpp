@@ -44,7 +44,8 @@ struct LaneExtremes {
     FlowExtremes reduced() const {
         return {.mobility = lanes::largest(mobility),
                 .thickness_mm = lanes::largest(thickness),
-                .speed_mm_s = lanes::largest(speed)};
+                .speed_mm_s = lanes::largest(speed),
+                .seen_speed_mm_s = lanes::largest(speed)};
     }
 };
 

@@ -73,12 +73,17 @@ struct ClosedFaces {
     bool inside = false;
 };
 
+/// What runs faster on a smaller part of a tile than this is not seen: paint that settles into a gap of
+/// the weave.
+inline constexpr double kUnseenArea_mm2 = 0.1;
+
 /// What the step-length control wants to know of a tile.
 struct FlowExtremes {
     float mobility = 0.0F;      ///< largest h du/da, mm s
     float thickness_mm = 0.0F;  ///< of flowing film
     float speed_mm_s = 0.0F;    ///< at the end of the film, in a large step, by what it fills of a cell
-    int clamped_faces = 0;  ///< at the largest speed, or cut to the capacity left
+    float seen_speed_mm_s = 0.0F;  ///< the same, but for what is faster on kUnseenArea_mm2 at most
+    int clamped_faces = 0;         ///< at the largest speed, or cut to the capacity left
 };
 
 /// From scratch.block to velocities and fluxes at all faces of the tile, edges included. `columns` and

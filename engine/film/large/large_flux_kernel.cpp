@@ -3,6 +3,11 @@
 #include "film/face/lane_groups.hpp"
 #include "film/large/large_kernels.hpp"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
 
@@ -141,6 +146,7 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
     const auto lane_number = lanes::counting<Lanes>();
     const Lanes last_column(static_cast<float>(columns));
     Shortage shortage;
+    int limited = 0;
     const Lanes thick(0.05F * step.cell_mm);
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; x += kLanes) {
@@ -160,10 +166,12 @@ Shortage share_outflow(const StepConstants& step, int columns, int rows, const s
             store(&tile.supply[cell], Lanes((rise(held - rounding) + tiny) / (out * part + tiny)));
             const auto cut =
                 part < Lanes(0.9F) && lane_number + Lanes(static_cast<float>(x)) < last_column;
+            limited += lanes::count(part < one);
             if (y >= rows) continue;
-            shortage.cells += lanes::count(cut);
-            shortage.thick_cells += lanes::count(cut && held > thick);
+            shortage.short_cells += lanes::count(cut);
+            shortage.thick_short_cells += lanes::count(cut && held > thick);
         }
+    shortage.is_any = limited > 0;
     return shortage;
 }
 
@@ -191,9 +199,32 @@ void slow_limited_faces(const StepConstants& step, const LargeScratch& large, La
 
 namespace {
 
+/// How many faces have which speed, in steps of half an octave.
+class SpeedCounts {
+  public:
+    [[gnu::always_inline]] void add(Lanes speeds) {
+        alignas(64) std::array<float, kLanes> values;
+        store(values.data(), speeds);
+        for (const float value : values)
+            ++counts_[std::bit_cast<std::uint32_t>(value) >> kDropped];
+    }
+    /// A bound for all but `faces` of the speeds.
+    float bound_for_all_but(int faces) const {
+        int step = kSteps - 1;
+        for (int faster = counts_[step]; step > 0 && faster <= faces; faster += counts_[step])
+            --step;
+        return std::bit_cast<float>(static_cast<std::uint32_t>(step + 1) << kDropped);
+    }
+
+  private:
+    /// Of a float's bits: all but the exponent and one of the fraction.
+    static constexpr int kDropped = 22, kSteps = 512;
+    std::array<int, kSteps> counts_{};
+};
+
 void flux_row(const StepConstants& step, const LargeScratch& large, int along, int first_x, int y,
               const LargeFaces& faces, FaceArray<float>& velocity, FaceArray<std::int32_t>& flux,
-              FlowExtremes& extremes) {
+              FlowExtremes& extremes, SpeedCounts& counts) {
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
     const Lanes zero(0.0F);
     Lanes speed(0.0F), thickness(0.0F);
@@ -214,7 +245,9 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
         store(&velocity[f], granted);
         const auto at_end = load(&faces.drag[f]) < zero;
         const Lanes filling = lanes::min(Lanes(1.0F), Lanes(depth * wedges));
-        speed = lanes::max(speed, lanes::select(at_end, Lanes(size * filling), size));
+        const Lanes carrying = lanes::select(at_end, Lanes(size * filling), size);
+        speed = lanes::max(speed, carrying);
+        counts.add(carrying);
         thickness = lanes::max(thickness, lanes::select(granted == zero, zero, depth));
     });
     extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::largest(speed));
@@ -226,12 +259,18 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
 FlowExtremes compute_large_fluxes(const StepConstants& step, const LargeScratch& large,
                                   const LargeTile& tile, TileScratch& scratch) {
     FlowExtremes extremes;
+    SpeedCounts counts;
     extremes.mobility = tile.largest_mobility * step.cell_mm * step.cell_mm / step.dt_s;
     for (int y = -1; y < kTileSize; ++y) {
-        flux_row(step, large, kWindowStride, 0, y, tile.y, scratch.velocity_y, scratch.flux_y, extremes);
+        flux_row(step, large, kWindowStride, 0, y, tile.y, scratch.velocity_y, scratch.flux_y, extremes,
+                 counts);
         if (y >= 0)
-            flux_row(step, large, 1, -1, y, tile.x, scratch.velocity_x, scratch.flux_x, extremes);
+            flux_row(step, large, 1, -1, y, tile.x, scratch.velocity_x, scratch.flux_x, extremes,
+                     counts);
     }
+    const auto unseen_faces =
+        static_cast<int>(2.0 * kUnseenArea_mm2 * step.inverse_cell * step.inverse_cell);
+    extremes.seen_speed_mm_s = std::min(extremes.speed_mm_s, counts.bound_for_all_but(unseen_faces));
     return extremes;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace pastoso::film {
 namespace {
@@ -35,17 +34,10 @@ constexpr int kMostCycles = 8;
 constexpr float kUsable = 0.25F;
 constexpr int kMostSharePasses = 6;
 constexpr int kMostSlowings = 6;
+/// So many cells of a tile may run empty without a new solution: what they lack is seen nowhere.
+constexpr int kFewShortCells = 2;
 /// What is left, after another step, of how many tiles count as needed lately.
 constexpr double kStillNeeded = 0.99;
-
-Shortage total(const std::vector<Shortage>& shortages) {
-    Shortage sum;
-    for (const Shortage& shortage : shortages) {
-        sum.cells += shortage.cells;
-        sum.thick_cells += shortage.thick_cells;
-    }
-    return sum;
-}
 
 struct CellRange {
     int begin, end;
@@ -279,10 +271,14 @@ struct LargeStepper::Pass {
     std::vector<PatchCover> patch_covers(const TilePlace& place) const;
     float sweep(bool first);
     void solve(bool from_rest, LargeStepReport& report);
-    Shortage share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
-                           CellArray& share) const;
-    Shortage compute_velocities(LargeStepReport& report);
-    Shortage share_inflow();
+    void share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                       CellArray& share) const;
+    void compute_velocities();
+    void share_held();
+    void share_inflow();
+    Shortage shortage() const;
+    bool runs_short() const;
+    void slow_limited_faces();
     void solve_within_supply(LargeStepReport& report);
     std::vector<TileResult> finish();
 };
@@ -552,61 +548,109 @@ void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
 /// share = min(1, (held + sum of the donors' shares of the inflow) / outflow) of each cell: a fixed
 /// point, reached from below, so that no pass takes a grant back. One pass of it, with the donors'
 /// shares of `large`.
-Shortage LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
-                                           CellArray& share) const {
-    return kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
-                                 state.thickness.read(place.tile), large, tile, share);
+void LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
+                                       CellArray& share) const {
+    tile.shortage = kernels.share_outflow(constants, place.columns.extent, place.rows.extent,
+                                          state.thickness.read(place.tile), large, tile, share);
 }
 
-/// The velocities that carry the paint, and how much of its outflow each cell can grant, counting on
-/// nothing from its neighbours. Returns how many cannot grant it all.
-Shortage LargeStepper::Pass::compute_velocities(LargeStepReport& report) {
-    std::vector<Shortage> shortages(places.size());
-    std::vector<int> cut_faces(places.size());
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-        gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
-        kernels.velocities(constants, true, large, tile);
-        if (tile.crowded) {
-            gather_next(places[index], thickness_rows(), large.thickness);
-            cut_faces[index] = kernels.cut_to_capacity(constants, large, tile);
-        }
-        large.share.fill(0.0F);
-        shortages[index] = share_outflow(places[index], tile, large, tile.share);
+/// The velocities that carry the paint, where they are not known.
+void LargeStepper::Pass::compute_velocities() {
+    const ChosenPlaces stale =
+        places_where([](const TilePlace&, const LargeTile& tile) { return tile.state.flow_is_stale(); });
+    for_each_of(stale,
+                [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+                    gather_next(place, cells(&LargeTile::pressure), large.pressure);
+                    kernels.velocities(constants, true, large, tile);
+                    tile.clamped_faces = 0;
+                    if (!tile.crowded) return;
+                    gather_next(place, thickness_rows(), large.thickness);
+                    tile.clamped_faces = kernels.cut_to_capacity(constants, large, tile);
+                });
+}
+
+/// How much of its outflow each cell can grant, counting on nothing from its neighbours: where the flow
+/// is new, and where cells counted on neighbours whose flow may be new.
+void LargeStepper::Pass::share_held() {
+    const ChosenPlaces unknown = places_where([](const TilePlace&, const LargeTile& tile) {
+        return tile.state.flow_is_stale() || tile.needs_inflow;
     });
-    report.clamped_faces = std::accumulate(cut_faces.begin(), cut_faces.end(), 0);
-    return total(shortages);
+    for_each_of(unknown,
+                [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+                    large.share.fill(0.0F);
+                    share_outflow(place, tile, large, tile.share);
+                    tile.needs_inflow = tile.shortage.is_any;
+                    if (tile.state.flow_is_stale()) tile.state.note_flow();
+                });
 }
 
 /// The same once more, counting on what the neighbours have granted so far.
-Shortage LargeStepper::Pass::share_inflow() {
-    std::vector<Shortage> shortages(places.size());
-    for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-        gather_next(places[index], cells(&LargeTile::share), large.share);
-        shortages[index] = share_outflow(places[index], tile, large, tile.next_share);
-    });
-    for_each_tile([](std::size_t, LargeTile& tile, LargeScratch&, WorkerScratch&) {
+void LargeStepper::Pass::share_inflow() {
+    const ChosenPlaces limited =
+        places_where([](const TilePlace&, const LargeTile& tile) { return tile.shortage.is_any; });
+    for_each_of(limited,
+                [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+                    gather_next(place, cells(&LargeTile::share), large.share);
+                    share_outflow(place, tile, large, tile.next_share);
+                });
+    for_each_of(limited, [](const TilePlace&, LargeTile& tile, LargeScratch&, WorkerScratch&) {
         tile.share = tile.next_share;
     });
-    return total(shortages);
+}
+
+/// Of all tiles.
+Shortage LargeStepper::Pass::shortage() const {
+    Shortage sum;
+    for (const TilePlace& place : places) {
+        const Shortage& tile = tile_of(place).shortage;
+        sum.short_cells += tile.short_cells;
+        sum.thick_short_cells += tile.thick_short_cells;
+        sum.is_any |= tile.is_any;
+    }
+    return sum;
+}
+
+/// Whether more cells of a tile run empty than may.
+bool LargeStepper::Pass::runs_short() const {
+    return std::any_of(places.begin(), places.end(), [this](const TilePlace& place) {
+        return tile_of(place).shortage.short_cells > kFewShortCells;
+    });
+}
+
+/// Takes mobility from the faces out of limited cells. Both tiles hold the same bits of the faces
+/// between them.
+void LargeStepper::Pass::slow_limited_faces() {
+    const auto is_limited = [](const LargeTile* tile) {
+        return tile != nullptr && tile->shortage.is_any;
+    };
+    const ChosenPlaces slowed = places_where([&](const TilePlace& place, const LargeTile& tile) {
+        const std::array<LargeTile*, 4> neighbours = beside(place);
+        return is_limited(&tile) || std::any_of(neighbours.begin(), neighbours.end(), is_limited);
+    });
+    for_each_of(slowed,
+                [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+                    gather_next(place, cells(&LargeTile::share), large.share);
+                    kernels.slow_limited_faces(constants, large, tile);
+                    gather_next(place, cells(&LargeTile::pressure), large.pressure);
+                    kernels.compute_change(large, tile);
+                    tile.state.change_equations();
+                });
 }
 
 /// Solves again, with less mobility out of the cells that would have run empty.
 void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
     for (int attempt = 0;; ++attempt) {
-        Shortage shortage = compute_velocities(report);
-        for (int pass = 0; pass < kMostSharePasses && shortage.cells > 0; ++pass)
-            shortage = share_inflow();
-        report.limited_cells = shortage.thick_cells;
-        if (shortage.cells == 0 || attempt == kMostSlowings) return;
-        for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-            gather_next(places[index], cells(&LargeTile::share), large.share);
-            kernels.slow_limited_faces(constants, large, tile);
-            gather_next(places[index], cells(&LargeTile::pressure), large.pressure);
-            kernels.compute_change(large, tile);
-            tile.state.change_equations();
-        });
+        compute_velocities();
+        share_held();
+        for (int pass = 0; pass < kMostSharePasses && shortage().short_cells > 0; ++pass)
+            share_inflow();
+        report.limited_cells = shortage().thick_short_cells;
+        if (!runs_short() || attempt == kMostSlowings) break;
+        slow_limited_faces();
         solve(false, report);
     }
+    for (const TilePlace& place : places)
+        report.clamped_faces += tile_of(place).clamped_faces;
 }
 
 std::vector<TileResult> LargeStepper::Pass::finish() {

@@ -56,6 +56,13 @@ struct LargeFaces {
     alignas(64) FaceArray<float> velocity;    ///< after the step, mm/s
 };
 
+/// How far the cells of a tile cannot grant their outflow.
+struct Shortage {
+    int short_cells = 0;        ///< that grant less than nine tenths of it
+    int thick_short_cells = 0;  ///< of these, thicker than a twentieth of a cell size
+    bool is_any = false;        ///< a cell grants less than all
+};
+
 struct LargeTile {
     LargeFaces x, y;
 
@@ -73,6 +80,9 @@ struct LargeTile {
     float flux_error = 0.0F;               ///< by what part its last drag got a flux wrong
     float fastest_mm_s = 0.0F;             ///< the largest velocity before the step
     float fastest_retreat_mm_s = 0.0F;     ///< of the ends that draw back, by what they fill of a cell
+    Shortage shortage;                     ///< of `share`
+    int clamped_faces = 0;                 ///< whose velocity was cut to the capacity left ahead
+    bool needs_inflow = false;             ///< a cell cannot grant its outflow from what it holds
     bool inertial = false;  ///< the old velocity of some of its paint matters for the new one
     bool crowded = false;   ///< the same: a cell, or one of its margin, has more than kCrowded_quanta
     LargeTileState state;
@@ -139,12 +149,6 @@ struct PatchCover {
     const PatchArray* correction;
     int x, y, width, height;
     int patch_x, patch_y;  ///< of its first cell in the patch
-};
-
-/// Cells that can grant less than nine tenths of their outflow, and those of them that are
-/// thicker than a twentieth of a cell size.
-struct Shortage {
-    int cells = 0, thick_cells = 0;
 };
 
 /// The edges of the canvas that a tile touches and that are not periodic.

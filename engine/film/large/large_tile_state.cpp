@@ -25,12 +25,18 @@ void LargeTileState::change_equations() {
     PASTOSO_CHECK(part_ != Part::Counts);
     change_ = Change::New;
     equations_ = Equations::Changed;
+    flow_ = Flow::Stale;
     corrected_error_ = kNoError;
 }
 
 void LargeTileState::steady_drag() {
     PASTOSO_CHECK(drag_ == Drag::Unsteady);
     drag_ = Drag::Steady;
+}
+
+void LargeTileState::note_flow() {
+    PASTOSO_CHECK(flow_is_stale());
+    flow_ = Flow::Known;
 }
 
 void LargeTileState::answer_pressure() {
@@ -61,12 +67,14 @@ bool LargeTileState::choose_correction(bool always, float tolerance) {
 void LargeTileState::blend(bool moved, bool rough) {
     PASTOSO_CHECK(!change_is_stale() && part_ != Part::Counts);
     change_ = moved ? Change::Moved : Change::Known;
+    if (moved) flow_ = Flow::Stale;
     equations_ = rough ? Equations::Changed : Equations::Same;
 }
 
 void LargeTileState::join_moved() {
     PASTOSO_CHECK(change_ == Change::Known);
     change_ = Change::Beside;
+    flow_ = Flow::Stale;
 }
 
 }  // namespace pastoso::film

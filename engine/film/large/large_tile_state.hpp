@@ -3,7 +3,7 @@
 
 namespace pastoso::film {
 
-/// Five states that change apart from each other. A step begins with begin_step(), then repeats the loop
+/// Six states that change apart from each other. A step begins with begin_step(), then repeats the loop
 /// of a sweep until all errors are small; refine_all() and solve_within_supply() of the step change
 /// equations between two sweeps.
 ///
@@ -21,8 +21,12 @@ namespace pastoso::film {
 ///     Equations                                                                    any --> Same,
 ///     Changed Cycles                                                   One --> Several
 ///
-///     between sweeps change_equations(): Change any --> New, Equations any --> Changed
+///     Flow                                                                         any --> Stale
+///
+///     between sweeps change_equations(): Change any --> New, Equations any --> Changed, Flow any -->
+///     Stale
 ///                    steady_drag(): Drag Unsteady --> Steady; unsettle_drag(): any --> Unsteady
+///                    note_flow(): Flow Stale --> Known
 ///
 /// Another thread may read a tile's state while nobody calls what changes that tile.
 class LargeTileState {
@@ -52,6 +56,9 @@ class LargeTileState {
     /// That its patch takes: several in a slow tile.
     enum class Cycles { One, Several };
 
+    /// The velocities that p and the equations make.
+    enum class Flow { Known, Stale };
+
     bool change_is_new() const { return change_ == Change::New; }
     bool change_is_stale() const { return change_ == Change::Moved || change_ == Change::Beside; }
     bool pressure_moved() const { return change_ == Change::Moved; }
@@ -59,6 +66,7 @@ class LargeTileState {
     bool is_corrected() const { return part_ == Part::Corrected; }
     bool is_slow() const { return cycles_ == Cycles::Several; }
     bool is_unsteady() const { return drag_ == Drag::Unsteady; }
+    bool flow_is_stale() const { return flow_ == Flow::Stale; }
     /// Of thickness, relative: the one that the last sweep found in which the tile counted.
     float error() const { return error_; }
 
@@ -71,6 +79,9 @@ class LargeTileState {
     void steady_drag();
     /// A flux was wrong, here or beside.
     void unsettle_drag() { drag_ = Drag::Unsteady; }
+
+    /// The velocities are those of the pressure found.
+    void note_flow();
 
     /// The changes answer the pressure that the last sweep moved.
     void answer_pressure();
@@ -93,6 +104,7 @@ class LargeTileState {
     Equations equations_ = Equations::Same;
     Drag drag_ = Drag::Steady;
     Cycles cycles_ = Cycles::One;
+    Flow flow_ = Flow::Stale;
     float error_ = 0.0F;
     float corrected_error_ = 0.0F;  ///< the one that the last correction was for, else the largest float
 };
