@@ -51,6 +51,18 @@ CellRange cells_within(Edge edge, const std::vector<WindowRun>& patch) {
             std::min(kPatchSize, patch.back().position + patch.back().count - kPatchBegin)};
 }
 
+/// Whether the drag of some paint at the faces of a tile depends on how fast it flows.
+bool drag_follows_flow(const StepConstants& constants, const HaloBlock& block) {
+    if (constants.is_shear_thinning()) return true;
+    if (!constants.varied) return constants.has_yield();
+    for (int y = -1; y <= kTileSize; ++y)
+        for (int x = -1; x <= kTileSize; ++x) {
+            const int i = block_index(x, y);
+            if (block.yield[i] > 0.0F && block.quanta[i] > 0) return true;
+        }
+    return false;
+}
+
 /// Both tiles hold the same bits of the faces between them, or paint would be lost there. A tile that is
 /// refined beside a steady one puts these faces back as they were.
 class SharedFaces {
@@ -314,6 +326,7 @@ void LargeStepper::Pass::assemble_all() {
     for_each_tile([&](std::size_t index, LargeTile& tile, LargeScratch& large, WorkerScratch& worker) {
         assemble(places[index], false, tile, large, worker);
         tile.state.begin_step();
+        if (!drag_follows_flow(constants, worker.tile.block)) tile.state.steady_drag();
     });
 }
 
@@ -540,7 +553,6 @@ void LargeStepper::Pass::solve(bool from_rest, LargeStepReport& report) {
 /// rest where its yield stress holds it.
 void LargeStepper::Pass::solve_yielding(LargeStepReport& report) {
     solve(true, report);
-    if (!constants.has_yield() && !constants.varied && !constants.is_shear_thinning()) return;
     for (int pass = 0; pass < kMostCloseRefinements && refine_all(pass); ++pass)
         solve(false, report);
 }
