@@ -1,8 +1,9 @@
 // The vectorised kernels against the same formulas on single floats, and every instruction set against
 // the others.
 #include "core/isa.hpp"
-#include "film/explicit/tile_step.hpp"
 #include "film/explicit/face_step.hpp"
+#include "film/explicit/tile_step.hpp"
+#include "film/large/large_tile_kernels.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -180,6 +181,39 @@ TEST(TileKernel, GivesTheSameBitsOfFullCellsOnEveryInstructionSet) {
         EXPECT_EQ(scratch->flux_y, reference->flux_y) << core::name_of(isa);
         EXPECT_EQ(scratch->velocity_x, reference->velocity_x) << core::name_of(isa);
         EXPECT_EQ(found.clamped_faces, expected.clamped_faces) << core::name_of(isa);
+    }
+}
+
+/// The fluxes of a large step whose faces are slow but for some in the last columns, which many groups
+/// of lanes come over.
+FlowExtremes extremes_of_fast_faces(int count, core::Isa isa) {
+    StepConstants step = oily_constants();
+    step.cell_mm = 0.125F;
+    step.inverse_cell = 8.0F;
+    const auto tile = std::make_unique<LargeTile>();
+    const auto large = std::make_unique<LargeScratch>();
+    const auto scratch = std::make_unique<TileScratch>();
+    large->share.fill(1.0F);
+    for (LargeFaces* faces : {&tile->x, &tile->y}) {
+        faces->velocity.fill(0.1F);
+        faces->depth.fill(0.2F);
+        faces->drag.fill(1.0F);
+    }
+    for (int k = 0; k < count; ++k)
+        tile->x.velocity[face_index(kTileSize - 1 - k % 3, k / 3)] = 5.0F;
+    return core::kernels<LargeKernels>(isa).fluxes(step, *large, *tile, *scratch);
+}
+
+TEST(LargeKernel, SpeedOfATenthOfASquareMillimetreIsNotSeenOnAnyInstructionSet) {
+    constexpr int kUnseenFaces = 12;  // 0.1 mm2 are 6.4 cells of 0.125 mm, and a cell has two faces
+    for (const core::Isa isa : {core::Isa::Baseline, core::Isa::Avx2, core::Isa::Avx512}) {
+        if (isa > core::best_isa()) continue;
+        EXPECT_EQ(extremes_of_fast_faces(0, isa).seen_speed_mm_s, 0.1F) << core::name_of(isa);
+        const FlowExtremes unseen = extremes_of_fast_faces(kUnseenFaces, isa);
+        EXPECT_EQ(unseen.speed_mm_s, 5.0F) << core::name_of(isa);
+        EXPECT_EQ(unseen.seen_speed_mm_s, 0.125F) << core::name_of(isa) << ": the next half octave";
+        EXPECT_EQ(extremes_of_fast_faces(kUnseenFaces + 1, isa).seen_speed_mm_s, 5.0F)
+            << core::name_of(isa);
     }
 }
 

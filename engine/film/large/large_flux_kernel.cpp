@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 namespace pastoso::film::PASTOSO_ISA {
 namespace {
@@ -202,11 +203,9 @@ namespace {
 /// How many faces have which speed, in steps of half an octave.
 class SpeedCounts {
   public:
-    [[gnu::always_inline]] void add(Lanes speeds) {
-        alignas(64) std::array<float, kLanes> values;
-        store(values.data(), speeds);
-        for (const float value : values)
-            ++counts_[std::bit_cast<std::uint32_t>(value) >> kDropped];
+    void add(std::span<const float> speeds) {
+        for (const float speed : speeds)
+            ++counts_[std::bit_cast<std::uint32_t>(speed) >> kDropped];
     }
     /// A bound for all but `faces` of the speeds.
     float bound_for_all_but(int faces) const {
@@ -228,6 +227,7 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
     const Lanes scale(step.dt_s * step.inverse_cell * static_cast<float>(1.0 / kThicknessQuantum_mm));
     const Lanes zero(0.0F);
     Lanes speed(0.0F), thickness(0.0F);
+    std::array<float, kTileSize + 1> speeds;
     // Of a wedge of the advancing angle that fills a cell: next to nothing moves in one that the film
     // has just entered.
     const Lanes wedges(step.has_contact_angle() ? 2.0F * step.inverse_cell / step.tan_advancing : 1e30F);
@@ -247,9 +247,10 @@ void flux_row(const StepConstants& step, const LargeScratch& large, int along, i
         const Lanes filling = lanes::min(Lanes(1.0F), Lanes(depth * wedges));
         const Lanes carrying = lanes::select(at_end, Lanes(size * filling), size);
         speed = lanes::max(speed, carrying);
-        counts.add(carrying);
+        store(&speeds[x - first_x], carrying);
         thickness = lanes::max(thickness, lanes::select(granted == zero, zero, depth));
     });
+    counts.add(std::span(speeds).first(kTileSize - first_x));
     extremes.speed_mm_s = lanes::max(extremes.speed_mm_s, lanes::largest(speed));
     extremes.thickness_mm = lanes::max(extremes.thickness_mm, lanes::largest(thickness));
 }

@@ -23,8 +23,8 @@ namespace pastoso::film {
 ///
 ///     Flow                                                                         any --> Stale
 ///
-///     between sweeps change_equations(): Change any --> New, Equations any --> Changed, Flow any -->
-///     Stale
+///     between sweeps change_equations(): Change any --> New, Equations any --> Changed,
+///                                        Flow any --> Stale
 ///                    steady_drag(): Drag Unsteady --> Steady; unsettle_drag(): any --> Unsteady
 ///                    note_flow(): Flow Stale --> Known
 ///
