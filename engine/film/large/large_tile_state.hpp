@@ -7,26 +7,19 @@ namespace pastoso::film {
 /// of a sweep until all errors are small; refine_all() and solve_within_supply() of the step change
 /// equations between two sweeps.
 ///
-///     a sweep        answer_pressure()  enter_sweep()        choose_correction()   blend(),
-///     join_moved()
+///     a sweep
+///       answer_pressure()    Change Moved, Beside --> New
+///       enter_sweep()        Part Rests, Corrected --> Rests, Counts
+///       choose_correction()  Part Counts --> Rests, Corrected; Cycles One --> Several
+///       blend()              Change New, Known --> Known, Moved; Flow --> Stale where moved;
+///                            Equations --> Same, Changed
+///       join_moved()         Change Known --> Beside; Flow --> Stale
 ///
-///     Change         Moved  --> New
-///                    Beside --> New                                                New, Known --> Moved
-///                                                                                  New, Known --> Known
-///                                                                                  Known     --> Beside
-///     Part                              Rests, Corrected
-///                                         --> Rests
-///                                         --> Counts --------> Rests
-///                                                    --------> Corrected
-///     Equations                                                                    any --> Same,
-///     Changed Cycles                                                   One --> Several
-///
-///     Flow                                                                         any --> Stale
-///
-///     between sweeps change_equations(): Change any --> New, Equations any --> Changed,
-///                                        Flow any --> Stale
-///                    steady_drag(): Drag Unsteady --> Steady; unsettle_drag(): any --> Unsteady
-///                    note_flow(): Flow Stale --> Known
+///     between sweeps
+///       change_equations()   Change --> New; Equations --> Changed; Flow --> Stale
+///       steady_drag()        Drag Unsteady --> Steady
+///       unsettle_drag()      Drag --> Unsteady
+///       note_flow()          Flow Stale --> Known
 ///
 /// Another thread may read a tile's state while nobody calls what changes that tile.
 class LargeTileState {
