@@ -13,11 +13,12 @@ namespace pastoso::film::test {
 namespace {
 
 constexpr double kTick_s = 1.0 / 60.0;
+constexpr int kWidth = 640, kHeight = 192;
 
 /// A slow sheet with a thick, faster blob that runs down through four tiles.
 Scene sheet(Edge edge, double longest_wait_s, int threads = 1) {
-    return {.width = 320,
-            .height = 192,
+    return {.width = kWidth,
+            .height = kHeight,
             .cell_mm = 0.125,
             .gravity = 9000,
             .force_y = 3000,
@@ -51,7 +52,7 @@ struct Outcome {
 /// How far the lower edge of the blob has gone down, where it stands out of the ripples.
 double way_of_front_mm(const Bench& bench) {
     int from = 0, to = 0;
-    for (int y = 0; y < 192; ++y) {
+    for (int y = 0; y < kHeight; ++y) {
         if (ripples(130, y) > 0.6) from = y;
         if (bench.h(130, y) > 0.6) to = y;
     }
@@ -62,8 +63,8 @@ TEST(Waiting, PaintGoesWhereItWouldHaveGone) {
     const Outcome punctual(Edge::Open, 0.0, 2);
     const Outcome waiting(Edge::Open, 1.0, 2);
     double moved_mm = 0.0, apart_mm = 0.0, furthest_mm = 0.0;
-    for (int y = 0; y < 192; ++y)
-        for (int x = 0; x < 320; ++x) {
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
             const double apart = std::abs(waiting.bench.h(x, y) - punctual.bench.h(x, y));
             moved_mm += std::abs(punctual.bench.h(x, y) - ripples(x, y));
             apart_mm += apart;
@@ -76,8 +77,8 @@ TEST(Waiting, PaintGoesWhereItWouldHaveGone) {
     EXPECT_LT(furthest_mm, unseen_mm);
     EXPECT_LT(apart_mm / moved_mm, unseen_mm / way_of_front_mm(punctual.bench));
     EXPECT_LT(waiting.report.cells_stepped, 0.5 * punctual.report.cells_stepped);
-    // Groups of several paces: a step goes over three quarters of the tiles on average at most.
-    EXPECT_LT(waiting.report.cells_stepped, waiting.report.steps * (320 * 192 * 3 / 4));
+    // Groups of several paces: a step goes over half of the tiles on average at most.
+    EXPECT_LT(waiting.report.cells_stepped, waiting.report.steps * (kWidth * kHeight / 2));
 }
 
 TEST(Waiting, WhatGoesUnseenIsALengthWhereCellsAreFine) {

@@ -285,11 +285,10 @@ struct LargeStepper::Pass {
     void solve(bool from_rest, LargeStepReport& report);
     void share_outflow(const TilePlace& place, LargeTile& tile, LargeScratch& large,
                        CellArray& share) const;
-    void compute_velocities();
+    void compute_velocities(const TilePlace& place, LargeTile& tile, LargeScratch& large) const;
     void share_held();
     void share_inflow();
-    Shortage shortage() const;
-    bool runs_short() const;
+    bool runs_short(int cells) const;
     void slow_limited_faces();
     void solve_within_supply(LargeStepReport& report);
     std::vector<TileResult> finish();
@@ -566,19 +565,15 @@ void LargeStepper::Pass::share_outflow(const TilePlace& place, LargeTile& tile, 
                                           state.thickness.read(place.tile), large, tile, share);
 }
 
-/// The velocities that carry the paint, where they are not known.
-void LargeStepper::Pass::compute_velocities() {
-    const ChosenPlaces stale =
-        places_where([](const TilePlace&, const LargeTile& tile) { return tile.state.flow_is_stale(); });
-    for_each_of(stale,
-                [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
-                    gather_next(place, cells(&LargeTile::pressure), large.pressure);
-                    kernels.velocities(constants, true, large, tile);
-                    tile.clamped_faces = 0;
-                    if (!tile.crowded) return;
-                    gather_next(place, thickness_rows(), large.thickness);
-                    tile.clamped_faces = kernels.cut_to_capacity(constants, large, tile);
-                });
+/// The velocities that carry a tile's paint.
+void LargeStepper::Pass::compute_velocities(const TilePlace& place, LargeTile& tile,
+                                            LargeScratch& large) const {
+    gather_next(place, cells(&LargeTile::pressure), large.pressure);
+    kernels.velocities(constants, true, large, tile);
+    tile.clamped_faces = 0;
+    if (!tile.crowded) return;
+    gather_next(place, thickness_rows(), large.thickness);
+    tile.clamped_faces = kernels.cut_to_capacity(constants, large, tile);
 }
 
 /// How much of its outflow each cell can grant, counting on nothing from its neighbours: where the flow
@@ -589,10 +584,13 @@ void LargeStepper::Pass::share_held() {
     });
     for_each_of(unknown,
                 [&](const TilePlace& place, LargeTile& tile, LargeScratch& large, WorkerScratch&) {
+                    if (tile.state.flow_is_stale()) {
+                        compute_velocities(place, tile, large);
+                        tile.state.note_flow();
+                    }
                     large.share.fill(0.0F);
                     share_outflow(place, tile, large, tile.share);
                     tile.needs_inflow = tile.shortage.is_any;
-                    if (tile.state.flow_is_stale()) tile.state.note_flow();
                 });
 }
 
@@ -610,22 +608,10 @@ void LargeStepper::Pass::share_inflow() {
     });
 }
 
-/// Of all tiles.
-Shortage LargeStepper::Pass::shortage() const {
-    Shortage sum;
-    for (const TilePlace& place : places) {
-        const Shortage& tile = tile_of(place).shortage;
-        sum.short_cells += tile.short_cells;
-        sum.thick_short_cells += tile.thick_short_cells;
-        sum.is_any |= tile.is_any;
-    }
-    return sum;
-}
-
-/// Whether more cells of a tile run empty than may.
-bool LargeStepper::Pass::runs_short() const {
-    return std::any_of(places.begin(), places.end(), [this](const TilePlace& place) {
-        return tile_of(place).shortage.short_cells > kFewShortCells;
+/// Whether more cells of a tile than these run empty.
+bool LargeStepper::Pass::runs_short(int cells) const {
+    return std::any_of(places.begin(), places.end(), [&](const TilePlace& place) {
+        return tile_of(place).shortage.short_cells > cells;
     });
 }
 
@@ -652,17 +638,17 @@ void LargeStepper::Pass::slow_limited_faces() {
 /// Solves again, with less mobility out of the cells that would have run empty.
 void LargeStepper::Pass::solve_within_supply(LargeStepReport& report) {
     for (int attempt = 0;; ++attempt) {
-        compute_velocities();
         share_held();
-        for (int pass = 0; pass < kMostSharePasses && shortage().short_cells > 0; ++pass)
+        for (int pass = 0; pass < kMostSharePasses && runs_short(0); ++pass)
             share_inflow();
-        report.limited_cells = shortage().thick_short_cells;
-        if (!runs_short() || attempt == kMostSlowings) break;
+        if (!runs_short(kFewShortCells) || attempt == kMostSlowings) break;
         slow_limited_faces();
         solve(false, report);
     }
-    for (const TilePlace& place : places)
+    for (const TilePlace& place : places) {
+        report.limited_cells += tile_of(place).shortage.thick_short_cells;
         report.clamped_faces += tile_of(place).clamped_faces;
+    }
 }
 
 std::vector<TileResult> LargeStepper::Pass::finish() {
