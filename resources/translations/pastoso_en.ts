@@ -6142,6 +6142,10 @@ Wheel: closer, farther</translation>
         <source>Time runs at %1 of %2 ×.</source>
         <translation>Time runs at %1 of %2 ×.</translation>
     </message>
+    <message>
+        <source>What helps</source>
+        <translation>What helps</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PaintPanel</name>

@@ -6127,6 +6127,10 @@ Wheel: closer, farther</source>
         <source>Time runs at %1 of %2 ×.</source>
         <translation>時間は%2 ×の%1で進んでいます。</translation>
     </message>
+    <message>
+        <source>What helps</source>
+        <translation>対処法</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PaintPanel</name>

@@ -6142,6 +6142,10 @@ Hjulet: närmare, längre bort</translation>
         <source>Time runs at %1 of %2 ×.</source>
         <translation>Tiden går med %1 av %2 ×.</translation>
     </message>
+    <message>
+        <source>What helps</source>
+        <translation>Vad som hjälper</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PaintPanel</name>

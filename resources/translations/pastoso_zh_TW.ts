@@ -6127,6 +6127,10 @@ Wheel: closer, farther</source>
         <source>Time runs at %1 of %2 ×.</source>
         <translation>時間以 %2 × 的%1進行。</translation>
     </message>
+    <message>
+        <source>What helps</source>
+        <translation>可以怎麼做</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PaintPanel</name>

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 
 namespace pastoso::panels {
@@ -28,7 +29,7 @@ QString share_of(tools::Pace pace) {
 }  // namespace
 
 PaceNotice::PaceNotice(const std::vector<Choice>& choices, QWidget* parent)
-    : QWidget(parent), watch_(0.0), words_(new QLabel) {
+    : QWidget(parent), watch_(0.0), words_(new QLabel), all_(new QPushButton(tr("What helps"))) {
     setObjectName(QStringLiteral("pace_notice"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -45,6 +46,10 @@ PaceNotice::PaceNotice(const std::vector<Choice>& choices, QWidget* parent)
         row->addWidget(button);
         buttons_.push_back({choice, button});
     }
+    keep_keys_for_canvas(all_);
+    all_->setMenu(new QMenu(all_));
+    connect(all_->menu(), &QMenu::aboutToShow, this, &PaceNotice::fill_menu);
+    row->addWidget(all_);
     hide();
 }
 
@@ -77,18 +82,27 @@ void PaceNotice::resizeEvent(QResizeEvent* event) {
     fit();
 }
 
-/// The sentence comes first: of the choices, the last ones go where they have no room beside it.
+bool PaceNotice::helps(const Choice& choice) const {
+    return choice.action->isEnabled() && (faster_ ? choice.faster_time : choice.real_time);
+}
+
+/// The choices stand beside the sentence, or in a menu where there is no room for all of them.
 void PaceNotice::fit() {
     int room = width() - words_->fontMetrics().horizontalAdvance(sentence_) - 2 * words_->margin();
-    for (const auto& [choice, button] : buttons_) {
-        const bool helps =
-            choice.action->isEnabled() && (faster_ ? choice.faster_time : choice.real_time);
-        if (helps) room -= layout()->spacing() + button->sizeHint().width();
-        button->setVisible(helps && room >= 0);
-    }
+    for (const auto& [choice, button] : buttons_)
+        if (helps(choice)) room -= layout()->spacing() + button->sizeHint().width();
+    for (const auto& [choice, button] : buttons_)
+        button->setVisible(helps(choice) && room >= 0);
+    all_->setVisible(room < 0);
     layout()->activate();
     const int width = words_->contentsRect().width() - 2 * words_->margin();
     words_->setText(words_->fontMetrics().elidedText(sentence_, Qt::ElideRight, width));
+}
+
+void PaceNotice::fill_menu() {
+    all_->menu()->clear();
+    for (const auto& [choice, button] : buttons_)
+        if (helps(choice)) all_->menu()->addAction(choice.words, choice.action, &QAction::trigger);
 }
 
 }  // namespace pastoso::panels

@@ -47,11 +47,14 @@ class PaceNotice : public QWidget {
     };
 
     void tell(tools::Pace pace, double speed);
+    bool helps(const Choice& choice) const;
     void fit();
+    void fill_menu();
 
     tools::PaceWatch watch_;
     std::vector<Button> buttons_;
     QLabel* words_;
+    QPushButton* all_;  ///< opens a menu of all that helps
     QString sentence_;
     bool faster_ = false;  ///< whether time is to pass faster than by the clock
 };
