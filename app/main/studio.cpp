@@ -28,8 +28,10 @@ Studio::Studio(QMainWindow& window)
       easel_(std::make_unique<tools::Easel>(
           tools::Hand{}, [this](document::Action action) { session_->post(std::move(action)); },
           [this] { session_->note_hand(); })),
-      canvas_(new view::CanvasView(easel_.get())),
-      well_(new view::CanvasView(easel_.get(), document::Surface::Well)) {
+      canvas_(new view::CanvasView),
+      well_(new view::CanvasView(document::Surface::Well)),
+      on_canvas_(new interactions::OnCanvas(canvas_, *easel_, document::Surface::Canvas)),
+      on_well_(new interactions::OnCanvas(well_, *easel_, document::Surface::Well)) {
     if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))
         connect(application, &Application::failed, this, &Studio::report_refusal, Qt::QueuedConnection);
     constexpr int kReadingTime_ms = 12000;

@@ -4,10 +4,10 @@
 
 #include "commands/command_registry.hpp"
 #include "core/fault.hpp"
+#include "interactions/on_canvas.hpp"
 #include "panels/messages/message_log.hpp"
 #include "session/paint_session.hpp"
 #include "tools/easel.hpp"
-#include "view/canvas_view.hpp"
 
 #include <array>
 #include <functional>
@@ -40,6 +40,11 @@ class Studio : public QObject {
     const view::CanvasView& canvas() const { return *canvas_; }
     view::CanvasView& well() { return *well_; }
     std::array<view::CanvasView*, 2> views() const { return {canvas_, well_}; }
+
+    /// What the pointer does over them.
+    interactions::OnCanvas& on_canvas() { return *on_canvas_; }
+    const interactions::OnCanvas& on_canvas() const { return *on_canvas_; }
+    std::array<interactions::OnCanvas*, 2> on_views() const { return {on_canvas_, on_well_}; }
 
     /// Puts another painting on the easel in place of the one before, whose journal goes; as
     /// session::PaintSession does it.
@@ -101,6 +106,8 @@ class Studio : public QObject {
     double live_px_per_mm_ = document::CanvasSettings{}.px_per_mm;
     view::CanvasView* canvas_;
     view::CanvasView* well_;
+    interactions::OnCanvas* on_canvas_;  ///< the views' own
+    interactions::OnCanvas* on_well_;
 };
 
 }  // namespace pastoso::main

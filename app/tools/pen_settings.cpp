@@ -22,6 +22,10 @@ constexpr Named<PenButtonDoes> kButtons[] = {{"nothing", PenButtonDoes::Nothing}
                                              {"move_canvas", PenButtonDoes::MoveCanvas},
                                              {"popup_palette", PenButtonDoes::PopupPalette}};
 
+/// In the order of PenButton.
+constexpr const char* kButtonKeys[kPenButtons] = {"lower", "upper", "third", "wheel_forward",
+                                                  "wheel_back"};
+
 template <class T, std::size_t N>
 T read_word(const JsonPlace& place, const Named<T> (&names)[N]) {
     const std::string text = place.text();
@@ -79,6 +83,30 @@ std::string read_eraser(const JsonPlace& place) {
     return name;
 }
 
+/// A word, or {"command": its name}.
+PenAction read_action(const JsonPlace& place,
+                      const std::function<bool(const std::string&)>& is_command) {
+    if (!place.value().is_object()) return {read_word(place, kButtons)};
+    place.allow_only({"command"});
+    const std::string name = place.entry("command").text();
+    if (!is_command(name)) place.entry("command").fail("\"" + name + "\" is the name of no command.");
+    return {PenButtonDoes::Command, name};
+}
+
+Json action_json(const PenAction& action) {
+    if (action.does == PenButtonDoes::Command) return {{"command", action.command}};
+    return brush::word_for(action.does, kButtons);
+}
+
+/// Those that are not told keep what they do at first.
+void read_buttons(const JsonPlace& place, const std::function<bool(const std::string&)>& is_command,
+                  PenSettings& settings) {
+    place.allow_only({kButtonKeys[0], kButtonKeys[1], kButtonKeys[2], kButtonKeys[3], kButtonKeys[4]});
+    for (std::size_t i = 0; i < kPenButtons; ++i)
+        if (const auto entry = place.optional_entry(kButtonKeys[i]))
+            settings.buttons[i] = read_action(*entry, is_command);
+}
+
 /// Without " (0)", " (0x8081e5d4)" and the like at its end.
 std::string_view without_serial(std::string_view name) {
     const auto open = name.rfind(" (");
@@ -118,23 +146,24 @@ std::vector<std::string> eraser_tools() {
     return names;
 }
 
-PenSettings read_pen_settings(const std::filesystem::path& file) {
+PenSettings read_pen_settings(const std::filesystem::path& file,
+                              const std::function<bool(const std::string&)>& is_command) {
     PenSettings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
-        root.allow_only({"version", "devices", "mouse", "eraser_tool", "buttons"});
-        const JsonPlace buttons = root.entry("buttons");
-        buttons.allow_only({"lower", "upper"});
+        root.allow_only({"version", "devices", "mouse", "eraser_tool", "buttons", "fingers_paint"});
         read_devices(root.entry("devices"), settings);
         settings.mouse = read_mouse(root.entry("mouse"));
         settings.eraser_tool = read_eraser(root.entry("eraser_tool"));
-        settings.lower_button = read_word(buttons.entry("lower"), kButtons);
-        settings.upper_button = read_word(buttons.entry("upper"), kButtons);
+        read_buttons(root.entry("buttons"), is_command, settings);
+        settings.fingers_paint = root.boolean_or("fingers_paint", settings.fingers_paint);
     });
     return settings;
 }
 
 void write_pen_settings(const PenSettings& settings, const std::filesystem::path& file) {
-    Json devices = Json::array();
+    Json devices = Json::array(), buttons = Json::object();
+    for (std::size_t i = 0; i < kPenButtons; ++i)
+        buttons[kButtonKeys[i]] = action_json(settings.buttons[i]);
     for (const auto& [device, curve] : settings.curves)
         devices.push_back({{"name", device.name},
                            {"end", brush::word_for(device.end, kEnds)},
@@ -144,9 +173,8 @@ void write_pen_settings(const PenSettings& settings, const std::filesystem::path
          {"devices", std::move(devices)},
          {"mouse", {{"pressure", settings.mouse.pressure}, {"by_speed", settings.mouse.by_speed}}},
          {"eraser_tool", settings.eraser_tool},
-         {"buttons",
-          {{"lower", brush::word_for(settings.lower_button, kButtons)},
-           {"upper", brush::word_for(settings.upper_button, kButtons)}}}},
+         {"fingers_paint", settings.fingers_paint},
+         {"buttons", std::move(buttons)}},
         file);
 }
 

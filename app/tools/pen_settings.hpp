@@ -3,8 +3,10 @@
 
 #include "tools/pressure_curve.hpp"
 
+#include <array>
 #include <compare>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -26,7 +28,18 @@ struct PenDevice {
 PenDevice pen_device(std::string_view name, PenEnd end);
 
 /// What a button on the pen does.
-enum class PenButtonDoes { Nothing, PickPaint, PickColour, MoveCanvas, PopupPalette };
+enum class PenButtonDoes { Nothing, PickPaint, PickColour, MoveCanvas, PopupPalette, Command };
+
+struct PenAction {
+    PenButtonDoes does = PenButtonDoes::Nothing;
+    std::string command = {};  ///< its name, of PenButtonDoes::Command
+    friend bool operator==(const PenAction&, const PenAction&) = default;
+};
+
+/// The buttons from the tip up, and the wheel of an airbrush turned by a notch, which gives commands
+/// alone.
+enum class PenButton { Lower, Upper, Third, WheelForward, WheelBack };
+inline constexpr int kPenButtons = 5;
 
 struct MouseSettings {
     double pressure = 0.5;  ///< 0.05 to 1
@@ -39,8 +52,14 @@ struct PenSettings {
     std::map<PenDevice, brush::DynamicsCurve> curves;  ///< those that the painter has changed
     MouseSettings mouse;
     std::string eraser_tool = "Eraser 15";  ///< that the eraser end takes; empty: what is in hand
-    PenButtonDoes lower_button = PenButtonDoes::PickPaint;
-    PenButtonDoes upper_button = PenButtonDoes::PopupPalette;
+    std::array<PenAction, kPenButtons> buttons{
+        {{PenButtonDoes::PickPaint},
+         {PenButtonDoes::PopupPalette},
+         {PenButtonDoes::Nothing},
+         {PenButtonDoes::Command, "larger_brush"},
+         {PenButtonDoes::Command, "smaller_brush"}}};  ///< in the order of PenButton
+    bool fingers_paint = false;  ///< else one finger moves the canvas, as two always do
+    const PenAction& action(PenButton button) const { return buttons[static_cast<std::size_t>(button)]; }
     friend bool operator==(const PenSettings&, const PenSettings&) = default;
 };
 
@@ -57,8 +76,9 @@ void set_curve(const PenDevice& device, const brush::DynamicsCurve& curve, PenSe
 std::vector<std::string> eraser_tools();
 
 /// The settings at first where there is no such file. Throws InputError that names the file, the place
-/// in it and the value for anything malformed or out of range.
-PenSettings read_pen_settings(const std::filesystem::path& file);
+/// in it and the value for anything malformed or out of range, names of no command among it.
+PenSettings read_pen_settings(const std::filesystem::path& file,
+                              const std::function<bool(const std::string&)>& is_command);
 
 /// Written aside, its folder made where there is none. Throws InputError where that cannot be written.
 void write_pen_settings(const PenSettings& settings, const std::filesystem::path& file);

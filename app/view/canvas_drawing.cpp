@@ -1,17 +1,12 @@
-// The part of CanvasView that draws: brings what changed onto the graphics card, shades it, and puts
-// guides over it.
+// The part of CanvasView that draws: brings what changed onto the graphics card and shades it.
 
 #include "appearance/theme.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "shade/outline.hpp"
 #include "view/canvas_shader.hpp"
 #include "view/canvas_view.hpp"
 #include "view/damaged_pixels.hpp"
-#include "view/guide_lines.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <QElapsedTimer>
@@ -62,16 +57,8 @@ void CanvasView::paintGL() {
     if (plan_.can_refine()) update();
     if (plan_.has_drafts() && !cooling_.isActive()) cooling_.start();
     picture_.copy_to(defaultFramebufferObject());
-    if (surface_ == document::Surface::Canvas) {
-        draw_selection();
-        draw_guides();
-    }
-    if (frame_) {
-        draw_frame_picture();
-        draw_frame();
-    }
-    if (light_handle_shown_) draw_light_handle();
-    draw_tip();
+    if (surface_ == document::Surface::Canvas) draw_selection();
+    interactions_.draw(overlay());
 }
 
 void CanvasView::upload_changes() {
@@ -162,43 +149,12 @@ double CanvasView::shade_job(const ShadingPlan::Job& job) {
     return seconds;
 }
 
-OverlayFrame CanvasView::overlay_frame(const glm::dvec2& origin_px) const {
-    return {origin_px, view_.zoom / shown_->film.cell_mm * view_.axes(), picture_.size()};
-}
-
-void CanvasView::draw_guides() {
-    constexpr float kFaint = 0.6F;
-    const OverlayFrame canvas = overlay_frame(view_.device_from_cell({0.0, 0.0}));
-    overlay_.draw_segments(guide_lines_mm(easel_->hand(), shown_->film.cell_mm * canvas_cells()), canvas,
-                           kFaint);
-    if (handles_shown_) draw_handles(canvas);
-    const std::optional<tools::Pointer> start = easel_->line_start();
-    if (!start || !pointer_) return;
-    const glm::dvec2 end_mm = canvas_mm(*pointer_);
-    overlay_.draw_segments({glm::vec2(start->x_mm, start->y_mm), glm::vec2(end_mm)}, canvas, 1.0F);
-}
-
-/// Rings that keep their size on the screen.
-void CanvasView::draw_handles(const OverlayFrame& canvas) {
-    constexpr double kRadius_px = 5.0;
-    constexpr int kCorners = 20;
-    const double radius_mm = kRadius_px * devicePixelRatioF() * mm_per_px();
-    for (const tools::PlacedHandle& handle : tools::guide_handles(easel_->hand(), handle_axis_mm())) {
-        std::vector<glm::vec2> ring;
-        for (int i = 0; i < kCorners; ++i) {
-            const double angle = 2.0 * core::kPi * i / kCorners;
-            ring.emplace_back(handle.place_mm +
-                              radius_mm * glm::dvec2(std::cos(angle), std::sin(angle)));
-        }
-        overlay_.draw_loop(ring, canvas, 1.0F);
-    }
-}
-
-/// How far from its centre a mirror is turned.
-double CanvasView::handle_axis_mm() const {
-    constexpr double kShare = 0.4;
-    const glm::dvec2 canvas = wanted_->film.cell_mm * canvas_cells();
-    return kShare * std::min(canvas.x, canvas.y);
+Overlay CanvasView::overlay() {
+    return {overlay_,
+            *this,
+            {view_.device_from_cell({0.0, 0.0}), view_.zoom / shown_->film.cell_mm * view_.axes(),
+             picture_.size()},
+            px_mm()};
 }
 
 }  // namespace pastoso::view

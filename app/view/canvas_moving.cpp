@@ -1,7 +1,6 @@
 // The part of CanvasView that moves over the canvas, closer to it, around it, and says where its points
 // lie.
 
-#include "core/units.hpp"
 #include "view/canvas_view.hpp"
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 
 #include <QResizeEvent>
 #include <QWheelEvent>
-#include <glm/geometric.hpp>
 
 namespace pastoso::view {
 namespace {
@@ -18,24 +16,11 @@ namespace {
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNotch = 120.0;
 
-/// A drag over so many pixels of the desktop doubles the zoom.
-constexpr double kDoubling_px = 120.0;
-
 /// Around what is fitted into the view.
 constexpr double kCanvasMargin_px = 24.0, kWellMargin_px = 4.0;
 
 /// A panel that is made wider makes the well higher, up to here by itself.
 constexpr int kTallestLeastWell_px = 360;
-
-/// So near to the middle a drag has no direction.
-constexpr double kNoDirection_px = 6.0;
-
-/// A drag that keeps to steps.
-constexpr double kStep_deg = 15.0;
-
-double direction_deg(const glm::dvec2& way) {
-    return core::degrees(std::atan2(way.y, way.x));
-}
 
 }  // namespace
 
@@ -44,6 +29,15 @@ void CanvasView::set_view(const ViewTransform& view) {
     view_ = view;
     damage_all();
     Q_EMIT view_changed();
+}
+
+void CanvasView::look_from(const ViewTransform& view) {
+    set_view(view);
+    fitted_ = wanted_ != nullptr && view_ == fitted_view();
+}
+
+void CanvasView::pan(const glm::dvec2& drag_px) {
+    if (wanted_ != nullptr) look_from(panned(view_, drag_px, canvas_cells(), window_px()));
 }
 
 void CanvasView::fit() {
@@ -58,12 +52,11 @@ void CanvasView::show_actual_pixels() {
 }
 
 void CanvasView::zoom_about_centre(double factor) {
-    fitted_ = false;
-    set_view(zoomed(view_, 0.5 * window_px(), factor));
+    look_from(zoomed(view_, 0.5 * window_px(), factor));
 }
 
 void CanvasView::turn_about_centre(double by_deg) {
-    set_turned(turned(view_, 0.5 * window_px(), by_deg));
+    look_from(turned(view_, 0.5 * window_px(), by_deg));
 }
 
 void CanvasView::turn_upright() {
@@ -75,15 +68,13 @@ void CanvasView::mirror() {
 }
 
 void CanvasView::keep_in_place(const QPoint& way) {
-    if (fitted_ || wanted_ == nullptr) return;
-    set_view(panned(view_, device_px(way), canvas_cells(), window_px()));
+    if (!fitted_) pan(device_px(way));
 }
 
 void CanvasView::show_at_centre(const glm::dvec2& canvas_mm) {
     if (wanted_ == nullptr) return;
-    fitted_ = false;
     const glm::dvec2 place_px = view_.device_from_cell(canvas_mm / wanted_->film.cell_mm);
-    set_view(panned(view_, 0.5 * window_px() - place_px, canvas_cells(), window_px()));
+    pan(0.5 * window_px() - place_px);
 }
 
 ViewTransform CanvasView::fitted_view() const {
@@ -91,18 +82,12 @@ ViewTransform CanvasView::fitted_view() const {
     return fitted(canvas_cells(), window_px(), margin_px, view_);
 }
 
-/// A canvas that was fitted and is turned there and back is fitted again.
-void CanvasView::set_turned(const ViewTransform& view) {
-    set_view(view);
-    fitted_ = wanted_ != nullptr && view_ == fitted_view();
-}
-
 void CanvasView::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / kNotch;
     if (notches == 0.0) return;
-    fitted_ = false;
-    set_view(zoomed(view_, device_px(event->position()), std::pow(kZoomPerNotch, notches)));
-    follow_pointer(event->position());
+    look_from(zoomed(view_, device_px(event->position()), std::pow(kZoomPerNotch, notches)));
+    move_pointer(event->position());
+    refresh();
 }
 
 /// Draws at once, so the canvas is fitted before.
@@ -118,46 +103,6 @@ void CanvasView::resizeEvent(QResizeEvent* event) {
 /// Not within a change of size, since it brings the next one.
 void CanvasView::grow_with_width() {
     setMinimumHeight(std::min(heightForWidth(width()), kTallestLeastWell_px));
-}
-
-/// Shift turns the canvas, Control zooms.
-void CanvasView::begin_view_drag(const QPointF& position, Qt::KeyboardModifiers modifiers) {
-    using Kind = ViewDrag::Kind;
-    easel_->release();
-    const bool turns = modifiers.testFlag(Qt::ShiftModifier) && surface_ == document::Surface::Canvas;
-    const bool zooms = modifiers.testFlag(Qt::ControlModifier);
-    view_drag_ = ViewDrag{turns ? Kind::Turn : zooms ? Kind::Zoom : Kind::Pan, position, view_};
-    set_cursor();
-}
-
-void CanvasView::drag_view(const QPointF& position, Qt::KeyboardModifiers modifiers) {
-    if (wanted_ == nullptr) return;
-    if (view_drag_->kind == ViewDrag::Kind::Turn)
-        return drag_turn(position, modifiers.testFlag(Qt::ControlModifier));
-    fitted_ = false;
-    if (view_drag_->kind == ViewDrag::Kind::Zoom) {
-        const double doublings = (view_drag_->from.y() - position.y()) / kDoubling_px;
-        return set_view(zoomed(view_drag_->start, device_px(view_drag_->from), std::exp2(doublings)));
-    }
-    const glm::dvec2 drag = device_px(position) - device_px(view_drag_->from);
-    view_drag_->from = position;
-    set_view(panned(view_, drag, canvas_cells(), window_px()));
-}
-
-void CanvasView::drag_turn(const QPointF& position, bool by_steps) {
-    const glm::dvec2 centre = 0.5 * window_px();
-    const glm::dvec2 from = device_px(view_drag_->from) - centre, to = device_px(position) - centre;
-    const double least_px = kNoDirection_px * devicePixelRatioF();
-    if (glm::length(from) < least_px || glm::length(to) < least_px) return;
-    const ViewTransform& start = view_drag_->start;
-    double angle_deg = start.angle_deg + direction_deg(to) - direction_deg(from);
-    if (by_steps) angle_deg = kStep_deg * std::round(angle_deg / kStep_deg);
-    set_turned(turned(start, centre, angle_deg - start.angle_deg));
-}
-
-void CanvasView::end_view_drag() {
-    view_drag_.reset();
-    set_cursor();
 }
 
 glm::dvec2 CanvasView::device_px(const QPointF& position) const {
@@ -193,8 +138,12 @@ QPointF CanvasView::widget_position(const glm::dvec2& canvas_mm) const {
     return {px.x, px.y};
 }
 
-double CanvasView::mm_per_px() const {
-    return wanted_->film.cell_mm / view_.zoom;
+double CanvasView::cell_mm() const {
+    return wanted_ == nullptr ? 0.0 : wanted_->film.cell_mm;
+}
+
+double CanvasView::px_mm() const {
+    return cell_mm() * devicePixelRatioF() / view_.zoom;
 }
 
 }  // namespace pastoso::view

@@ -1,8 +1,8 @@
-// The part of CanvasView that feels fingers: one paints, two move, turn and zoom the canvas.
+// The part of CanvasView that feels fingers: one does the work of a mouse, two move, turn and zoom the
+// canvas, taps are commands.
 
 #include "view/canvas_view.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include <QPointingDevice>
@@ -11,13 +11,10 @@
 namespace pastoso::view {
 namespace {
 
-/// A finger that has moved by less may still be the first of two.
-constexpr double kStill_px = 8.0;
-
-std::vector<QEventPoint> fingers_down(const QTouchEvent& event) {
-    std::vector<QEventPoint> down;
+std::vector<input::Finger> fingers_down(const QTouchEvent& event) {
+    std::vector<input::Finger> down;
     for (const QEventPoint& point : event.points())
-        if (point.state() != QEventPoint::Released) down.push_back(point);
+        if (point.state() != QEventPoint::Released) down.push_back({point.id(), point.position()});
     return down;
 }
 
@@ -43,64 +40,74 @@ bool CanvasView::touch(QTouchEvent& event) {
     const QPointingDevice* device = event.pointingDevice();
     if (device == nullptr || device->type() != QInputDevice::DeviceType::TouchScreen) return false;
     event.accept();
-    if (event.type() == QEvent::TouchBegin) touch_ = Touch{};
-    const std::vector<QEventPoint> down = fingers_down(event);
-    if (event.type() == QEvent::TouchCancel)
-        lift_finger(event, false);
-    else if (down.size() >= 2 && touch_.does != Touch::Does::Paint)
-        pinch(down[0], down[1]);
-    else if (down.size() == 1 && touch_.does != Touch::Does::Pinch)
-        move_finger(event, down[0]);
-    else if (down.empty())
-        lift_finger(event, true);
+    touched_ms_ = event.timestamp();
+    touch_modifiers_ = event.modifiers();
+    if (event.type() == QEvent::TouchBegin) fingers_heard_ = arbiter_.hears_fingers(touched_ms_);
+    if (!fingers_heard_) return true;
+    const auto down = fingers_down(event);
+    arbiter_.fingers_hold(!down.empty() && event.type() != QEvent::TouchCancel);
+    follow(event.type() == QEvent::TouchCancel
+               ? gestures_.cancel()
+               : gestures_.follow(down, touched_ms_, !pen().fingers_paint));
+    if (!gestures_.waits())
+        holding_.stop();
+    else if (!holding_.isActive())
+        holding_.start();
     return true;
 }
 
-void CanvasView::pinch(const QEventPoint& first, const QEventPoint& second) {
-    const Fingers now{device_px(first.position()), device_px(second.position())};
-    const bool same =
-        touch_.does == Touch::Does::Pinch && touch_.ids == std::array{first.id(), second.id()};
-    if (same && wanted_ != nullptr) {
-        const bool turns = surface_ == document::Surface::Canvas;
-        const ViewTransform next = pinched(view_, touch_.fingers_px, now, turns);
-        fitted_ = false;
-        set_view(panned(next, {0.0, 0.0}, canvas_cells(), window_px()));
+void CanvasView::follow(const std::vector<input::TouchStep>& steps) {
+    using Does = input::TouchStep::Does;
+    for (const input::TouchStep& step : steps) {
+        switch (step.does) {
+            case Does::Press:
+                finger_does(input::Kind::Press, step.place);
+                break;
+            case Does::Move:
+                finger_does(input::Kind::Move, step.place);
+                break;
+            case Does::Release:
+                finger_does(input::Kind::Release, step.place);
+                break;
+            case Does::Cancel:
+                finger_does(input::Kind::Cancel, step.place);
+                break;
+            case Does::Pinch:
+                pinch({device_px(step.from[0]), device_px(step.from[1])},
+                      {device_px(step.to[0]), device_px(step.to[1])});
+                break;
+            case Does::Tap:
+                Q_EMIT tapped(step.fingers);
+        }
     }
-    touch_ = {Touch::Does::Pinch, {}, {first.id(), second.id()}, now};
-    pointer_.reset();
 }
 
-void CanvasView::move_finger(const QTouchEvent& event, const QEventPoint& finger) {
-    const QPointF position = finger.position();
-    if (touch_.does == Touch::Does::Nothing) {
-        touch_.does = Touch::Does::Wait;
-        touch_.from = position;
-    }
-    if (touch_.does == Touch::Does::Wait) {
-        const QPointF way = position - touch_.from;
-        if (std::hypot(way.x(), way.y()) < kStill_px) return;
-        put_finger_down(event);
-    }
-    follow_pointer(position);
-    if (!drag_guides(position, event.modifiers())) easel_->move(pointer_at(position, event.timestamp()));
-}
-
-/// Where the finger touched first.
-void CanvasView::put_finger_down(const QTouchEvent& event) {
-    touch_.does = Touch::Does::Paint;
-    mouse_pressure_ = {};  // it comes from nowhere
-    follow_pointer(touch_.from);
-    if (!press_guides(touch_.from, event.modifiers()))
-        touch_down(pointer_at(touch_.from, event.timestamp()), event.modifiers());
-}
-
-/// A finger that hardly moved leaves a touch of paint, unless it was not meant.
-void CanvasView::lift_finger(const QTouchEvent& event, bool meant) {
-    if (touch_.does == Touch::Does::Wait && meant) put_finger_down(event);
-    if (touch_.does == Touch::Does::Paint) release_pointer();
-    touch_ = Touch{};
+/// Where it lifts there is no pointer any more.
+void CanvasView::finger_does(input::Kind kind, const QPointF& place) {
+    deliver(reader_.finger(kind, place, touched_ms_, touch_modifiers_));
+    if (kind != input::Kind::Release && kind != input::Kind::Cancel) return;
     pointer_.reset();
     update();
+}
+
+void CanvasView::pinch(const Fingers& from_px, const Fingers& to_px) {
+    if (wanted_ == nullptr) return;
+    const bool turns = surface_ == document::Surface::Canvas;
+    look_from(panned(pinched(view_, from_px, to_px, turns), {0.0, 0.0}, canvas_cells(), window_px()));
+    pointer_.reset();
+}
+
+void CanvasView::drop_fingers() {
+    follow(gestures_.cancel());
+    fingers_heard_ = false;
+    holding_.stop();
+}
+
+void CanvasView::hold_finger() {
+    if (!gestures_.waits() || wanted_ == nullptr) return;
+    const glm::dvec2 mm = canvas_mm(gestures_.waits_at());
+    gestures_.spend();
+    Q_EMIT held({mm.x, mm.y});
 }
 
 }  // namespace pastoso::view

@@ -11,9 +11,6 @@ namespace {
 /// hand.
 constexpr int kCoolingTime_ms = 60;
 
-/// Longer than the pause between two events of a moving hand.
-constexpr int kWait_ms = 25;
-
 /// A lamp that has not been moved for so long may be left where it is.
 constexpr int kLightRests_ms = 120;
 
@@ -22,8 +19,8 @@ constexpr QSize kWellSize(360, 272);
 
 }  // namespace
 
-CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* parent)
-    : GraphicsWidget(parent), easel_(easel), surface_(surface), legend_(new LookLegend(this)) {
+CanvasView::CanvasView(document::Surface surface, QWidget* parent)
+    : GraphicsWidget(parent), surface_(surface), legend_(new LookLegend(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
@@ -44,10 +41,10 @@ CanvasView::CanvasView(tools::Easel* easel, document::Surface surface, QWidget* 
         relight_ = true;
         update();
     });
-    waiting_.setInterval(kWait_ms);
-    connect(&waiting_, &QTimer::timeout, this, [this] { easel_->wait(0.001 * kWait_ms, surface_); });
-    waiting_.start();
-    set_cursor();
+    holding_.setSingleShot(true);
+    holding_.setInterval(input::TouchGestures::kHold_ms);
+    connect(&holding_, &QTimer::timeout, this, &CanvasView::hold_finger);
+    refresh();
 }
 
 QSize CanvasView::sizeHint() const {
@@ -61,10 +58,6 @@ int CanvasView::heightForWidth(int width) const {
 
 CanvasView::~CanvasView() {
     release_graphics();
-}
-
-void CanvasView::set_easel(tools::Easel* easel) {
-    easel_ = easel;
 }
 
 void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapshot,
@@ -88,8 +81,7 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
 void CanvasView::begin_other_canvas() {
     shown_.reset();
     preview_.reset();
-    area_drag_.cancel();
-    guide_drag_.release();
+    interactions_.cancel();
     damage_all();
 }
 
@@ -99,25 +91,6 @@ void CanvasView::set_viewing(const pigment::Viewing& viewing) {
     recolour_ = true;
     update();
     Q_EMIT viewing_changed();
-}
-
-void CanvasView::set_tool(const brush::Preset& tool) {
-    outline_.set_tool(tool);
-    update();
-}
-
-void CanvasView::hide_tool() {
-    tool_hidden_ = true;
-    update();
-}
-
-void CanvasView::set_pen(const tools::PenSettings& pen) {
-    pen_ = pen;
-}
-
-void CanvasView::show_handles(bool shown) {
-    handles_shown_ = shown;
-    update();
 }
 
 void CanvasView::show_tracing(bool shown) {
@@ -135,11 +108,6 @@ void CanvasView::preview_tracing(Tracing tracing) {
 Tracing CanvasView::seen_tracing() const {
     if (!tracing_shown_) return nullptr;
     return tracing_preview_ != nullptr ? tracing_preview_ : wanted_->tracing;
-}
-
-void CanvasView::pick_next(std::optional<tools::Pick> pick) {
-    picks_next_ = pick;
-    set_cursor();
 }
 
 bool CanvasView::finished() const {

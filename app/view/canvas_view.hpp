@@ -1,19 +1,15 @@
-// The window's canvas, or its mixing well: shows the latest snapshot, moves over it, and hands pen and
-// mouse to the easel.
+// The window's canvas, or its mixing well: shows the latest snapshot, from near or far, and hands pen,
+// mouse and fingers to its interactions.
 #pragma once
 
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
 #include "graphics/graphics_widget.hpp"
-#include "tools/easel.hpp"
-#include "tools/mouse_pressure.hpp"
-#include "tools/pen_settings.hpp"
-#include "tools/picked_paint.hpp"
-#include "tools/transform_frame.hpp"
-#include "view/area_drag.hpp"
-#include "view/brush_outline.hpp"
-#include "view/guide_drag.hpp"
-#include "view/light_handle.hpp"
+#include "input/arbiter.hpp"
+#include "input/event_reader.hpp"
+#include "input/touch_gestures.hpp"
+#include "input/wheel_steps.hpp"
+#include "view/interaction_stack.hpp"
 #include "view/line_overlay.hpp"
 #include "view/look.hpp"
 #include "view/picture_buffer.hpp"
@@ -24,9 +20,6 @@
 #include <memory>
 #include <optional>
 
-#include <QCursor>
-#include <QEventPoint>
-#include <QImage>
 #include <QTimer>
 
 class QTouchEvent;
@@ -38,8 +31,7 @@ class LookLegend;
 class CanvasView : public graphics::GraphicsWidget {
     Q_OBJECT
   public:
-    /// `easel` is told of every stroke, as one on `surface`.
-    explicit CanvasView(tools::Easel* easel, document::Surface surface = document::Surface::Canvas,
+    explicit CanvasView(document::Surface surface = document::Surface::Canvas,
                         QWidget* parent = nullptr);
     ~CanvasView() override;
 
@@ -48,30 +40,23 @@ class CanvasView : public graphics::GraphicsWidget {
     /// shows what was there where it was.
     void show_snapshot(std::shared_ptr<const document::Snapshot> snapshot,
                        std::optional<glm::dvec2> shift_mm = {});
-    void set_easel(tools::Easel* easel);
     void set_lighting(const shade::Lighting& lighting);
     void set_look(Look look);
     Look look() const { return look_; }
     const LookLegend& legend() const { return *legend_; }
     void set_viewing(const pigment::Viewing& viewing);
-    void set_tool(const brush::Preset& tool);  ///< whose outline goes with the pointer
-    void hide_tool();                          ///< nothing is painted here
-    void set_pen(const tools::PenSettings& pen);
+    void set_pen(const tools::PenSettings& pen) { reader_.set_pen(pen); }
+    const tools::PenSettings& pen() const { return reader_.pen(); }
 
-    /// Shows the handles of the guides, by which they are dragged.
-    void show_handles(bool shown);
+    /// Presses are offered to this one after those that are there.
+    void add(Interaction& interaction) { interactions_.add(interaction); }
+    const InteractionStack& interactions() const { return interactions_; }
 
-    /// The next click picks that instead of painting; nothing: it paints.
-    void pick_next(std::optional<tools::Pick> pick);
-
-    /// A press and a drag draw the outline of an area instead of painting; nothing: they paint.
-    void draw_areas(std::optional<AreaForm> form);
+    /// An interaction is about something else now: pointer and frame follow.
+    void refresh();
 
     /// Shows where the selection ends.
     void show_outline(bool shown);
-
-    /// Shows a handle by which the lamp is dragged.
-    void show_light_handle(bool shown);
 
     /// Shows the picture that is traced below the paint.
     void show_tracing(bool shown);
@@ -82,18 +67,13 @@ class CanvasView : public graphics::GraphicsWidget {
     /// Outlines what would be selected in place of what is.
     void preview_selection(std::optional<document::Selection> preview);
 
-    /// Puts up a frame that presses and drags change instead of painting; nothing: they paint.
-    void show_frame(std::optional<tools::TransformFrame> frame);
-    const std::optional<tools::TransformFrame>& frame() const { return frame_; }
-
-    /// What is drawn in the frame, from corner to corner, however it is dragged: its paint, flat. Where
-    /// it lies as yet it is veiled.
-    void show_in_frame(const QImage& picture);
-
     const shade::Lighting& lighting() const { return lighting_; }
     const pigment::Viewing& viewing() const { return viewing_; }
     const ViewTransform& view_transform() const { return view_; }
     void set_view(const ViewTransform& view);
+    /// By the painter's hand: the canvas is not fitted any more, unless it comes to lie as if it were.
+    void look_from(const ViewTransform& view);
+    void pan(const glm::dvec2& drag_px);  ///< so that some of the canvas stays in the window
     void fit();
     void show_actual_pixels();  ///< zoom 1 about the window's centre
     void zoom_about_centre(double factor);
@@ -118,6 +98,10 @@ class CanvasView : public graphics::GraphicsWidget {
     std::optional<glm::dvec2> pointer_mm() const;
 
     glm::dvec2 canvas_size_mm() const;  ///< 0 before there is one
+    double cell_mm() const;             ///< 0 as well
+    double px_mm() const;               ///< a pixel of the layout, on the canvas
+    glm::dvec2 device_px(const QPointF& position) const;
+    glm::dvec2 window_px() const;  ///< its size in device pixels
 
     /// Millimetres on the canvas under a point of the widget, and back.
     glm::dvec2 canvas_mm(const QPointF& position) const;
@@ -134,38 +118,18 @@ class CanvasView : public graphics::GraphicsWidget {
     void pointer_moved(const QPointF& canvas_mm);
     void pointer_left();
 
-    /// A guide is being dragged by its handle.
-    void guide_dragged(const tools::Guide& guide);
-
-    /// The paint, or the colour, at this place is asked for.
-    void picked(const QPointF& place_mm, tools::Pick pick);
-
-    /// The brush has come down on the canvas.
-    void stroke_begun(const QPointF& canvas_mm);
-
-    /// The outline of an area: its first point, all of it, none but a click, or not meant.
-    void area_begun(grid::Combination how);
-    void area_drawn(const document::SelectArea& area);
-    void area_clicked(grid::Combination how);
-    void area_given_up();
-    void areas_left();  ///< painting goes on
-
     /// A pen is used by this end, or a mouse, which is like the tip.
     void pen_used(bool eraser_end);
 
-    /// The pop-up palette is to open there on the desktop.
-    void palette_wanted(const QPoint& place);
+    /// The wheel of an airbrush was turned by so many notches, forward as positive ones.
+    void wheel_turned(int notches);
+
+    /// So many fingers have tapped at once; one has been held there.
+    void tapped(int fingers);
+    void held(const QPointF& canvas_mm);
 
     /// Escape was pressed where there was nothing to be given up.
     void escaped();
-
-    /// The lamp is being dragged; it moves where set_lighting() has it.
-    void light_dragged(double elevation_deg, double azimuth_deg);
-
-    /// The frame was dragged; what it shows is to be kept; it is to be taken away.
-    void frame_dragged(const tools::TransformFrame& frame);
-    void frame_accepted();
-    void frame_cancelled();
 
   protected:
     void make_graphics() override;
@@ -193,66 +157,33 @@ class CanvasView : public graphics::GraphicsWidget {
     void upload_look(const std::vector<int>& tiles);
     void upload_new_look();
     void place_legend();
-    LightDial light_dial() const;
-    bool press_light(const QPointF& position);
-    void drag_light(const QPointF& position);
-    void draw_light_handle();
     Tracing seen_tracing() const;
     double shade_job(const ShadingPlan::Job& job);
     void draw_selection();
-    void draw_guides();
-    void draw_handles(const OverlayFrame& canvas);
-    void draw_frame();
-    void draw_frame_picture();
-    void draw_in(const tools::TransformFrame& frame, const QImage& picture, double opacity);
-    void draw_tip();
     OverlayFrame overlay_frame(const glm::dvec2& origin_px) const;
     void damage_all();
     void begin_other_canvas();
     bool prepare_textures();
     QRegion damaged_region(const LayerChanges& changes) const;
 
-    glm::dvec2 device_px(const QPointF& position) const;
-    glm::dvec2 window_px() const;
+    Overlay overlay();
     glm::dvec2 canvas_cells() const;
-    tools::Pointer pointer_at(const QPointF& position, std::uint64_t time_ms);
-    tools::Pointer pen_pointer(const QTabletEvent& event) const;
-    bool closes_popup(const QTabletEvent& event);
-    void press_pen(const QTabletEvent& event);
-    void press_pen_button(tools::PenButtonDoes what, const QTabletEvent& event);
-    void touch_down(const tools::Pointer& pointer, Qt::KeyboardModifiers modifiers);
-    void follow_pointer(const QPointF& position);
-    std::optional<tools::Pick> pick_wanted(Qt::KeyboardModifiers modifiers) const;
-    void press_area(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    void drag_area(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    void release_area();
-    void leave_areas();
     grid::Rect seen_cells() const;
-    tools::FrameHold hold_under(const QPointF& position) const;
-    void press_frame(const QPointF& position);
-    void drag_frame(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    bool press_frame_key(int key);
-    QCursor frame_cursor() const;
-    bool press_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    bool drag_guides(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    void release_pointer();
-    double handle_axis_mm() const;
-    double mm_per_px() const;
     ViewTransform fitted_view() const;
     void grow_with_width();  ///< the well, in its panel
-    void set_turned(const ViewTransform& view);
-    void begin_view_drag(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    void drag_view(const QPointF& position, Qt::KeyboardModifiers modifiers);
-    void drag_turn(const QPointF& position, bool by_steps);
-    void end_view_drag();
-    bool touch(QTouchEvent& event);
-    void pinch(const QEventPoint& first, const QEventPoint& second);
-    void move_finger(const QTouchEvent& event, const QEventPoint& finger);
-    void put_finger_down(const QTouchEvent& event);
-    void lift_finger(const QTouchEvent& event, bool meant);
-    void set_cursor();
 
-    tools::Easel* easel_;
+    input::PointerEvent over_canvas(input::PointerEvent event) const;
+    void hear(const input::PointerEvent& event);
+    void deliver(const input::PointerEvent& event);
+    void move_pointer(const QPointF& place);
+    bool closes_popup(const QTabletEvent& event);
+    bool touch(QTouchEvent& event);
+    void follow(const std::vector<input::TouchStep>& steps);
+    void pinch(const Fingers& from_px, const Fingers& to_px);
+    void finger_does(input::Kind kind, const QPointF& place);
+    void drop_fingers();
+    void hold_finger();
+
     document::Surface surface_;
     core::ThreadPool pool_;
     CanvasLayers layers_;
@@ -262,7 +193,6 @@ class CanvasView : public graphics::GraphicsWidget {
     LineOverlay overlay_;
     ShadingPlan plan_;
     QTimer cooling_;
-    QTimer waiting_;  ///< since the pointer moved
 
     std::shared_ptr<const document::Snapshot> wanted_;
     std::shared_ptr<const document::Snapshot> shown_;
@@ -273,59 +203,33 @@ class CanvasView : public graphics::GraphicsWidget {
     bool relight_ = false;  ///< the shadows are still those of another light
     QTimer light_rests_;    ///< when it fires, shadows follow the light
     double shadows_took_s_ = 0.0;
-    bool light_handle_shown_ = false;
-    std::optional<glm::dvec2> light_drag_;  ///< from the pointer to the lamp
     Look look_ = Look::Lit;
     bool relook_ = false;      ///< what it shows is still that of another look
     double highest_mm_ = 0.0;  ///< of the paint, while heights are shown
     double scale_top_mm_ = 1.0;
     LookLegend* legend_;
     pigment::Viewing viewing_;
-    bool recolour_ = false;  ///< the colours are still those of another light
-    BrushOutline outline_;
-    bool tool_hidden_ = false;
-    tools::PenSettings pen_;
-    tools::MousePressure mouse_pressure_;
+    bool recolour_ = false;       ///< the colours are still those of another light
     bool closing_popup_ = false;  ///< the press that closed it does nothing else
     TracingGround tracing_ground_;
     bool tracing_shown_ = true;
     Tracing tracing_preview_;
     bool retrace_ = false;  ///< the picture below the paint is still another
 
+    InteractionStack interactions_;
+    input::EventReader reader_;
+    input::Arbiter arbiter_;
+    input::WheelSteps wheel_;
+    input::TouchGestures gestures_;
+    bool fingers_heard_ = false;  ///< since the first of them came down
+    std::uint64_t touched_ms_ = 0;
+    Qt::KeyboardModifiers touch_modifiers_;
+    QTimer holding_;  ///< while one finger waits
     std::optional<QPointF> pointer_;
-    /// The hand moves the canvas and not the brush.
-    struct ViewDrag {
-        enum class Kind { Pan, Turn, Zoom } kind;
-        QPointF from;
-        ViewTransform start;
-    };
-    std::optional<ViewDrag> view_drag_;
-    struct Touch {
-        enum class Does { Nothing, Wait, Paint, Pinch } does = Does::Nothing;
-        QPointF from;  ///< of a finger that waits
-        std::array<int, 2> ids{};
-        Fingers fingers_px{};
-    };
-    Touch touch_;
-    bool space_held_ = false;
-    GuideDrag guide_drag_;
-    std::optional<AreaForm> area_form_;  ///< painting rests
-    AreaDrag area_drag_;
+
     SelectionOutline selection_outline_;
     bool outline_shown_ = true;
     std::optional<document::Selection> preview_;
-    /// Since the press.
-    struct FrameDrag {
-        tools::TransformFrame start;
-        tools::FrameHold hold;
-        glm::dvec2 from_mm{};
-    };
-    std::optional<tools::TransformFrame> frame_;
-    std::optional<FrameDrag> frame_drag_;
-    QImage frame_picture_, frame_veil_;
-    bool handles_shown_ = true;
-    std::optional<tools::Pick> picks_next_;
-    bool picking_ = false;  ///< this press picks and does not paint
 };
 
 }  // namespace pastoso::view

@@ -6210,6 +6210,26 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>paints like the tip</source>
         <translation>paints like the tip</translation>
     </message>
+    <message>
+        <source>Third button</source>
+        <translation>Third button</translation>
+    </message>
+    <message>
+        <source>Wheel forward</source>
+        <translation>Wheel forward</translation>
+    </message>
+    <message>
+        <source>Wheel back</source>
+        <translation>Wheel back</translation>
+    </message>
+    <message>
+        <source>Fingers paint</source>
+        <translation>Fingers paint</translation>
+    </message>
+    <message>
+        <source>Otherwise one finger moves the canvas, as two always do</source>
+        <translation>Otherwise one finger moves the canvas, as two always do</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PenDialog</name>

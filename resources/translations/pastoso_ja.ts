@@ -6195,6 +6195,26 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>paints like the tip</source>
         <translation>ペン先と同じように描く</translation>
     </message>
+    <message>
+        <source>Third button</source>
+        <translation>第3ボタン</translation>
+    </message>
+    <message>
+        <source>Wheel forward</source>
+        <translation>ホイールを前へ</translation>
+    </message>
+    <message>
+        <source>Wheel back</source>
+        <translation>ホイールを後ろへ</translation>
+    </message>
+    <message>
+        <source>Fingers paint</source>
+        <translation>指で描く</translation>
+    </message>
+    <message>
+        <source>Otherwise one finger moves the canvas, as two always do</source>
+        <translation>オフのときは1本の指でキャンバスを動かします。2本ではいつも動きます</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PenDialog</name>

@@ -6210,6 +6210,26 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
         <source>paints like the tip</source>
         <translation>målar som spetsen</translation>
     </message>
+    <message>
+        <source>Third button</source>
+        <translation>Tredje knappen</translation>
+    </message>
+    <message>
+        <source>Wheel forward</source>
+        <translation>Hjulet framåt</translation>
+    </message>
+    <message>
+        <source>Wheel back</source>
+        <translation>Hjulet bakåt</translation>
+    </message>
+    <message>
+        <source>Fingers paint</source>
+        <translation>Fingrar målar</translation>
+    </message>
+    <message>
+        <source>Otherwise one finger moves the canvas, as two always do</source>
+        <translation>Annars flyttar ett finger duken, som två alltid gör</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PenDialog</name>

@@ -6195,6 +6195,26 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>paints like the tip</source>
         <translation>與筆尖一樣作畫</translation>
     </message>
+    <message>
+        <source>Third button</source>
+        <translation>第三個按鈕</translation>
+    </message>
+    <message>
+        <source>Wheel forward</source>
+        <translation>滾輪向前</translation>
+    </message>
+    <message>
+        <source>Wheel back</source>
+        <translation>滾輪向後</translation>
+    </message>
+    <message>
+        <source>Fingers paint</source>
+        <translation>用手指繪畫</translation>
+    </message>
+    <message>
+        <source>Otherwise one finger moves the canvas, as two always do</source>
+        <translation>否則一根手指移動畫布，兩根手指則總是移動畫布</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PenDialog</name>

@@ -1,5 +1,5 @@
 // What of the canvas the outline says that a brush touches.
-#include "view/brush_outline.hpp"
+#include "interactions/brush_outline.hpp"
 
 #include "brush/brush.hpp"
 #include "brush/stroke.hpp"
@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 namespace {
 
 struct Extent {
@@ -139,4 +139,4 @@ TEST(Handle, IsAsLongAsItsTiltAndPointsWhereItLeans) {
 }
 
 }  // namespace
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

@@ -1,8 +1,8 @@
-#include "view/guide_lines.hpp"
+#include "interactions/guide_lines.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 namespace {
 
 constexpr glm::dvec2 kCanvas_mm{60.0, 40.0};
@@ -51,4 +51,4 @@ TEST(GuideLines, TheRulerHasNoEnds) {
 }
 
 }  // namespace
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

@@ -122,7 +122,7 @@ TEST_F(LightsWindow, TheNextStartHasTheSameLampAndVarnish) {
 }
 
 TEST_F(LightsWindow, DraggingTheLampMovesTheNumbers) {
-    Q_EMIT canvas().light_dragged(64.0, 200.0);
+    Q_EMIT studio().on_canvas().lamp.dragged(64.0, 200.0);
     EXPECT_EQ(find<QDoubleSpinBox>("lamp_azimuth").value(), 200.0);
     EXPECT_EQ(find<QDoubleSpinBox>("lamp_height").value(), 64.0);
 }

@@ -1,11 +1,11 @@
 // What the canvas shows in place of lit paint, the lamp over it, and a graphics context that is lost.
 #include "app/window_fixture.hpp"
+#include "interactions/light_handle.hpp"
 #include "shade/outline.hpp"
 #include "shade/render.hpp"
 #include "shade/sampling.hpp"
 #include "shade/surface.hpp"
 #include "shade/tile_colour.hpp"
-#include "view/light_handle.hpp"
 #include "view/look_legend.hpp"
 
 #include <algorithm>
@@ -248,7 +248,7 @@ TEST_F(Looks, PaintThatComesIsShownToo) {
 }
 
 TEST(LightHandle, IsWhereTheLightComesFromHoweverTheCanvasIsTurned) {
-    const view::LightDial dial{{300.0, 200.0}, 100.0};
+    const interactions::LightDial dial{{300.0, 200.0}, 100.0};
     view::ViewTransform view;
     // From the left, seen from the left; from above in a canvas turned to the right.
     EXPECT_NEAR(light_handle_px(dial, view, {180.0, 8.0}).x, 200.0, 1e-9);
@@ -257,20 +257,22 @@ TEST(LightHandle, IsWhereTheLightComesFromHoweverTheCanvasIsTurned) {
     for (int i = 0; i < 100; ++i) {
         view.angle_deg = 3.7 * i - 180.0;
         view.mirrored = i % 2 == 0;
-        const view::LightDirection light{std::fmod(29.0 * i, 360.0), 9.0 + 0.8 * i};
-        const view::LightDirection there = light_at(dial, view, light_handle_px(dial, view, light), {});
+        const interactions::LightDirection light{std::fmod(29.0 * i, 360.0), 9.0 + 0.8 * i};
+        const interactions::LightDirection there =
+            light_at(dial, view, light_handle_px(dial, view, light), {});
         EXPECT_NEAR(std::remainder(there.azimuth_deg - light.azimuth_deg, 360.0), 0.0, 1e-9);
         EXPECT_NEAR(there.elevation_deg, light.elevation_deg, 1e-9);
     }
     EXPECT_EQ(light_at(dial, view, dial.centre_px, {77.0, 30.0}).azimuth_deg, 77.0);
-    EXPECT_EQ(light_at(dial, view, {900.0, 200.0}, {}).elevation_deg, view::kLowestLight_deg);
+    EXPECT_EQ(light_at(dial, view, {900.0, 200.0}, {}).elevation_deg, interactions::kLowestLight_deg);
 }
 
 class Lamp : public Looks {
   protected:
     QPoint lamp() {
         const glm::dvec2 window{canvas().width(), canvas().height()};
-        const view::LightDial dial{0.5 * window, std::min(120.0, 0.4 * std::min(window.x, window.y))};
+        const interactions::LightDial dial{0.5 * window,
+                                           std::min(120.0, 0.4 * std::min(window.x, window.y))};
         const glm::dvec2 px =
             light_handle_px(dial, canvas().view_transform(),
                             {canvas().lighting().azimuth_deg, canvas().lighting().elevation_deg});

@@ -15,6 +15,10 @@ using testing::HasSubstr;
 
 const PenDevice kPen{"Wacom Intuos S Pen", PenEnd::Tip};
 
+bool is_command(const std::string& name) {
+    return name == "undo" || name == "larger_brush" || name == "smaller_brush";
+}
+
 class PenSettingsTest : public ::testing::Test {
   protected:
     std::filesystem::path file() const { return folder_.path() / "pen.json"; }
@@ -28,7 +32,7 @@ class PenSettingsTest : public ::testing::Test {
         EXPECT_NE(place, std::string::npos) << text;
         core::write_text_file(file(), text.replace(place, what.size(), instead));
         try {
-            read_pen_settings(file());
+            read_pen_settings(file(), is_command);
         } catch (const core::InputError& error) {
             return error.what();
         }
@@ -44,21 +48,34 @@ TEST_F(PenSettingsTest, ComeBackAsTheyWereWritten) {
     set_curve({kPen.name, PenEnd::Eraser}, ready_curve(ReadyCurve::Firm), settings);
     settings.mouse = {.pressure = 0.8, .by_speed = true};
     settings.eraser_tool = "Rag 35";
-    settings.lower_button = PenButtonDoes::MoveCanvas;
-    settings.upper_button = PenButtonDoes::Nothing;
+    settings.buttons[0] = {PenButtonDoes::MoveCanvas};
+    settings.buttons[1] = {PenButtonDoes::Nothing};
+    settings.buttons[2] = {PenButtonDoes::Command, "undo"};
+    settings.buttons[3] = {PenButtonDoes::Nothing};
+    settings.fingers_paint = true;
     write_pen_settings(settings, file());
-    EXPECT_EQ(read_pen_settings(file()), settings);
+    EXPECT_EQ(read_pen_settings(file(), is_command), settings);
     settings.eraser_tool.clear();
     write_pen_settings(settings, file());
-    EXPECT_EQ(read_pen_settings(file()), settings);
+    EXPECT_EQ(read_pen_settings(file(), is_command), settings);
 }
 
 TEST_F(PenSettingsTest, AreTheFirstOnesWhereThereIsNoFile) {
-    const PenSettings settings = read_pen_settings(file());
+    const PenSettings settings = read_pen_settings(file(), is_command);
     EXPECT_EQ(settings, PenSettings{});
     EXPECT_EQ(mapped_pressure(settings, kPen, 0.37), 0.37);
     EXPECT_EQ(settings.mouse.pressure, 0.5);
     EXPECT_THAT(eraser_tools(), Contains(settings.eraser_tool));
+}
+
+TEST_F(PenSettingsTest, OfAProgramBeforeAreReadAndCompleted) {
+    core::write_text_file(file(), R"({"version": 1, "devices": [],
+        "mouse": {"pressure": 0.5, "by_speed": false}, "eraser_tool": "Eraser 15",
+        "buttons": {"lower": "move_canvas", "upper": "pick_colour"}})");
+    PenSettings settings;
+    settings.buttons[0] = {PenButtonDoes::MoveCanvas};
+    settings.buttons[1] = {PenButtonDoes::PickColour};
+    EXPECT_EQ(read_pen_settings(file(), is_command), settings);
 }
 
 TEST_F(PenSettingsTest, FaultsAreToldWithTheirPlace) {
@@ -67,6 +84,8 @@ TEST_F(PenSettingsTest, FaultsAreToldWithTheirPlace) {
               name +
                   ", buttons.lower: \"dance\" is not one of nothing, pick_paint, pick_colour, "
                   "move_canvas, popup_palette.");
+    EXPECT_EQ(fault_of("larger_brush", "fly"),
+              name + ", buttons.wheel_forward.command: \"fly\" is the name of no command.");
     EXPECT_EQ(fault_of("\"pressure\": 0.5", "\"pressure\": 0.01"),
               name + ", mouse.pressure: 0.01 is not between 0.05 and 1.");
     EXPECT_EQ(fault_of("Eraser 15", "Flat bristle 20"),

@@ -230,7 +230,7 @@ TEST_F(PenWindow, TheLowerButtonPicksUpPaint) {
 TEST_F(PenWindow, AButtonMayMoveTheCanvasInstead) {
     open_dialog();
     auto& choice = part<QComboBox>("lower_button");
-    choice.setCurrentIndex(choice.findData(static_cast<int>(tools::PenButtonDoes::MoveCanvas)));
+    choice.setCurrentText(QStringLiteral("moves the canvas"));
     Q_EMIT choice.activated(choice.currentIndex());
     const QPointF there = canvas().widget_position({20.0, 20.0});
     pen_at({20.0, 20.0}, Qt::NoButton, pressed(0.0));
@@ -333,7 +333,8 @@ TEST_F(PenWindow, TheOutlineLiesWhereTheBrushWouldTouch) {
             if (std::abs(bare.pixelColor(x, y).green() - hovering.pixelColor(x, y).green()) > 12)
                 seen |= QRect(x, y, 1, 1);
     const tools::Hand& hand = studio().easel().hand();
-    const view::BrushOutline outline(brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm));
+    const interactions::BrushOutline outline(
+        brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm));
     brush::PenSample held = studio().easel().held();
     held.pressure = 0.5;
     QPolygonF expected;

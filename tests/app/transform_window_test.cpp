@@ -43,13 +43,14 @@ class TransformWindow : public WindowTest {
         QTest::keyClick(&canvas(), key, keys);
         settle();
     }
+    const std::optional<tools::TransformFrame>& frame() { return studio().on_canvas().frame.shown(); }
     void begin() {
         key(Qt::Key_T, Qt::ControlModifier);
-        ASSERT_TRUE(canvas().frame().has_value()) << told();
+        ASSERT_TRUE(frame().has_value()) << told();
     }
     void begin_refused(const char* why) {
         key(Qt::Key_T, Qt::ControlModifier);
-        EXPECT_FALSE(canvas().frame().has_value());
+        EXPECT_FALSE(frame().has_value());
         EXPECT_FALSE(action(Command::TransformLayer)->isChecked());
         EXPECT_THAT(told(), testing::HasSubstr(why));
     }
@@ -68,7 +69,7 @@ class TransformWindow : public WindowTest {
             send(QEvent::MouseMove, place_mm, keys);
         send(QEvent::MouseButtonRelease, to_mm, keys);
     }
-    glm::dvec2 handle(int x, int y) { return tools::handle_mm(*canvas().frame(), {x, y}); }
+    glm::dvec2 handle(int x, int y) { return tools::handle_mm(*frame(), {x, y}); }
     glm::dvec2 middle() { return handle(0, 0); }
 
     dialogs::TransformDialog* dialog() {
@@ -120,12 +121,12 @@ TEST_F(TransformWindow, PaintIsMovedByDraggingTheFrameAndEnter) {
     ASSERT_NE(dialog(), nullptr);
     EXPECT_TRUE(action(Command::TransformLayer)->isChecked());
     drag(middle(), middle() + glm::dvec2(15.0, 8.0));
-    EXPECT_NEAR(canvas().frame()->move_mm.x, 15.0, 2.0 * kPixel_mm);
-    EXPECT_EQ(box("move_x").value(), canvas().frame()->move_mm.x);
+    EXPECT_NEAR(frame()->move_mm.x, 15.0, 2.0 * kPixel_mm);
+    EXPECT_EQ(box("move_x").value(), frame()->move_mm.x);
     EXPECT_EQ(hash(), film::state_hash(before->film)) << "the paint comes with Enter";
-    const glm::dvec2 cells = 4.0 * canvas().frame()->move_mm;
+    const glm::dvec2 cells = 4.0 * frame()->move_mm;
     key(Qt::Key_Return);
-    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_FALSE(frame().has_value());
     EXPECT_EQ(dialog(), nullptr);
     EXPECT_FALSE(action(Command::TransformLayer)->isChecked());
     expect_moved(before->film, painting()->film, static_cast<int>(cells.x), static_cast<int>(cells.y));
@@ -139,8 +140,8 @@ TEST_F(TransformWindow, APenDragsTheFrameToo) {
     const std::size_t events = events_posted();
     begin();
     pen_stroke(line_mm(middle(), middle() + glm::dvec2(10.0, 5.0), 5), {.pressure = 0.8});
-    EXPECT_NEAR(canvas().frame()->move_mm.x, 10.0, 2.0 * kPixel_mm);
-    EXPECT_NEAR(canvas().frame()->move_mm.y, 5.0, 2.0 * kPixel_mm);
+    EXPECT_NEAR(frame()->move_mm.x, 10.0, 2.0 * kPixel_mm);
+    EXPECT_NEAR(frame()->move_mm.y, 5.0, 2.0 * kPixel_mm);
     EXPECT_EQ(events_posted(), events);
 }
 
@@ -168,16 +169,16 @@ TEST_F(TransformWindow, EscapeLeavesAllBits) {
     drag(handle(1, 1), handle(1, 1) + glm::dvec2(10.0, 10.0));
     drag(middle(), middle() + glm::dvec2(3.0, 8.0));
     // In the middle of a drag it gives up the drag alone.
-    const tools::TransformFrame frame = *canvas().frame();
+    const tools::TransformFrame pressed = *frame();
     send(QEvent::MouseButtonPress, middle(), {});
     send(QEvent::MouseMove, middle() + glm::dvec2(9.0, 0.0), {});
-    EXPECT_NE(*canvas().frame(), frame);
+    EXPECT_NE(*frame(), pressed);
     key(Qt::Key_Escape);
-    ASSERT_TRUE(canvas().frame().has_value());
-    EXPECT_EQ(*canvas().frame(), frame);
-    EXPECT_EQ(box("move_x").value(), std::round(100.0 * frame.move_mm.x) / 100.0);
+    ASSERT_TRUE(frame().has_value());
+    EXPECT_EQ(*frame(), pressed);
+    EXPECT_EQ(box("move_x").value(), std::round(100.0 * pressed.move_mm.x) / 100.0);
     key(Qt::Key_Escape);
-    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_FALSE(frame().has_value());
     EXPECT_EQ(dialog(), nullptr);
     EXPECT_EQ(hash(), before);
     EXPECT_EQ(events_posted(), events);
@@ -185,20 +186,20 @@ TEST_F(TransformWindow, EscapeLeavesAllBits) {
 
 TEST_F(TransformWindow, HandlesScaleAndOutsideTurns) {
     begin();
-    const glm::dvec2 size = canvas().frame()->size_mm;
+    const glm::dvec2 size = frame()->size_mm;
     const glm::dvec2 fixed = handle(-1, -1);
     drag(handle(1, 1), handle(1, 1) + size, Qt::ShiftModifier);
-    EXPECT_NEAR(canvas().frame()->scale.x, 2.0, kPixel_mm);
-    EXPECT_EQ(canvas().frame()->scale.x, canvas().frame()->scale.y);
+    EXPECT_NEAR(frame()->scale.x, 2.0, kPixel_mm);
+    EXPECT_EQ(frame()->scale.x, frame()->scale.y);
     EXPECT_NEAR(handle(-1, -1).x, fixed.x, 1e-9);
-    EXPECT_NEAR(box("width").value(), 100.0 * canvas().frame()->scale.x, 0.0051);
+    EXPECT_NEAR(box("width").value(), 100.0 * frame()->scale.x, 0.0051);
     EXPECT_THAT(outcome(), HasSubstr("keeps its thickness"));
     const glm::dvec2 right = middle() + glm::dvec2(size.x + 4.0, 0.0);
     drag(right, middle() + glm::dvec2(0.5, size.x + 4.0), Qt::ShiftModifier);
-    EXPECT_EQ(canvas().frame()->turn_deg, 90.0);
+    EXPECT_EQ(frame()->turn_deg, 90.0);
     EXPECT_EQ(box("turn").value(), 90.0);
     const double before_mm3 = volume_mm3();
-    const double share = canvas().frame()->scale.x * canvas().frame()->scale.y;
+    const double share = frame()->scale.x * frame()->scale.y;
     key(Qt::Key_Enter);
     // The rule of volume, within what an interpolation keeps (docs/decisions/0030).
     EXPECT_NEAR(volume_mm3(), share * before_mm3, 0.02 * share * before_mm3);
@@ -209,13 +210,13 @@ TEST_F(TransformWindow, NumbersAndFrameKeepInStep) {
     begin();
     box("move_x").setValue(12.0);
     box("move_y").setValue(-2.5);
-    EXPECT_EQ(canvas().frame()->move_mm, glm::dvec2(12.0, -2.5));
+    EXPECT_EQ(frame()->move_mm, glm::dvec2(12.0, -2.5));
     mirror("mirror_x").click();
-    EXPECT_EQ(canvas().frame()->scale, glm::dvec2(-1.0, 1.0));
+    EXPECT_EQ(frame()->scale, glm::dvec2(-1.0, 1.0));
     box("height").setValue(150.0);
     box("turn").setValue(-30.0);
-    EXPECT_EQ(canvas().frame()->scale, glm::dvec2(-1.0, 1.5));
-    EXPECT_EQ(canvas().frame()->turn_deg, -30.0);
+    EXPECT_EQ(frame()->scale, glm::dvec2(-1.0, 1.5));
+    EXPECT_EQ(frame()->turn_deg, -30.0);
     EXPECT_THAT(outcome(), HasSubstr("150 %"));
     // Drawn across its own left side it is mirrored back.
     box("height").setValue(100.0);
@@ -229,12 +230,12 @@ TEST_F(TransformWindow, NumbersAndFrameKeepInStep) {
     box("move_x").setValue(60.0);
     EXPECT_THAT(outcome(), HasSubstr("beyond the canvas"));
     box("move_x").setValue(0.0);
-    const tools::TransformFrame frame = *canvas().frame();
+    const tools::TransformFrame mirrored = *frame();
     button(QDialogButtonBox::Ok).click();
     settle();
     EXPECT_EQ(dialog(), nullptr);
     // Mirrored about the middle of the frame, cell by cell.
-    const int sum = static_cast<int>(std::lround(4.0 * (2.0 * frame.centre_mm().x))) - 1;
+    const int sum = static_cast<int>(std::lround(4.0 * (2.0 * mirrored.centre_mm().x))) - 1;
     const auto after = painting();
     for (int y = 0; y < 160; ++y)
         for (int x = 0; x <= sum; ++x)
@@ -267,7 +268,7 @@ TEST_F(TransformWindow, NothingIsPaintedWhileTheFrameIsUp) {
     const QImage with_pointer_far = picture();
     mouse_stroke(line_mm({40.0, 30.0}, {50.0, 30.0}));
     EXPECT_EQ(events_posted(), events);
-    EXPECT_NE(canvas().frame()->turn_deg, 0.0);
+    EXPECT_NE(frame()->turn_deg, 0.0);
     key(Qt::Key_Escape);
     EXPECT_GT(difference(with_pointer_far, picture()).largest, 20) << "the frame was seen";
     mouse_stroke(line_mm({40.0, 30.0}, {50.0, 30.0}));
@@ -282,27 +283,27 @@ TEST_F(TransformWindow, OtherDeedsEndTheFrameAndLeaveThePaint) {
     };
     drag_frame();
     give(Command::Undo);
-    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_FALSE(frame().has_value());
     EXPECT_EQ(hash(), before) << "what is taken back is the frame";
     drag_frame();
     give(Command::AddLayer);
-    wait_for([&] { return !canvas().frame().has_value(); });
+    wait_for([&] { return !frame().has_value(); });
     begin_refused("no paint on this layer");
     give(Command::Undo);
     EXPECT_EQ(hash(), before);
     drag_frame();
     give(Command::SelectRectangle);
-    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_FALSE(frame().has_value());
     key(Qt::Key_Escape);
     drag_frame();
     window().replay({session().canvas(), {{5, document::SelectAll{}}}, 10});
-    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_FALSE(frame().has_value());
     give(Command::Pause);
     wait_for([&] { return !session().status().replaying; });
     give(Command::Pause);
     drag_frame();
     parts().files.new_canvas(canvas_settings());
-    EXPECT_FALSE(canvas().frame().has_value());
+    EXPECT_FALSE(frame().has_value());
     EXPECT_EQ(dialog(), nullptr);
 }
 
@@ -315,7 +316,7 @@ TEST_F(TransformWindow, LockedAndHiddenLayersSayWhy) {
     give(Command::ShowLayer);
     begin();
     give(Command::LockLayer);
-    wait_for([&] { return !canvas().frame().has_value(); });
+    wait_for([&] { return !frame().has_value(); });
 }
 
 }  // namespace

@@ -225,50 +225,6 @@ TEST_F(TurnedView, AnyAngleShowsTheSamePicture) {
     EXPECT_LT(apart, 2.0);
 }
 
-class Fingers : public TurnedView {
-  protected:
-    void SetUp() override {
-        TurnedView::SetUp();
-        static QPointingDevice* const screen = QTest::createTouchDevice();
-        screen_ = screen;
-    }
-    QPointingDevice* screen_ = nullptr;
-};
-
-TEST_F(Fingers, TwoMoveTurnAndZoomTheCanvas) {
-    const QPoint a = (centre() + QPointF(-60.0, 0.0)).toPoint(),
-                 b = (centre() + QPointF(60.0, 10.0)).toPoint();
-    const QPoint a2 = a + QPoint(20, -15), b2 = b + QPoint(30, 60);
-    const glm::dvec2 below_a = canvas().canvas_mm(a), below_b = canvas().canvas_mm(b);
-    QTest::touchEvent(&canvas(), screen_).press(0, a).press(1, b);
-    QTest::touchEvent(&canvas(), screen_).move(0, (a + a2) / 2).move(1, (b + b2) / 2);
-    QTest::touchEvent(&canvas(), screen_).move(0, a2).move(1, b2);
-    QTest::touchEvent(&canvas(), screen_).release(0, a2).release(1, b2);
-    const auto near = [](const glm::dvec2& there, const glm::dvec2& place) {
-        EXPECT_NEAR(there.x, place.x, 1e-6);
-        EXPECT_NEAR(there.y, place.y, 1e-6);
-    };
-    near(canvas().canvas_mm(a2), below_a);
-    near(canvas().canvas_mm(b2), below_b);
-    EXPECT_GT(canvas().view_transform().angle_deg, 10.0);
-    EXPECT_EQ(volume_mm3(), 0.0);
-}
-
-TEST_F(Fingers, OnePaintsAndASecondThenDoesNothing) {
-    give(Command::Pause);
-    const view::ViewTransform view = canvas().view_transform();
-    const QPoint from = (centre() + QPointF(-60.0, 0.0)).toPoint();
-    QTest::touchEvent(&canvas(), screen_).press(0, from);
-    for (int x = 10; x <= 120; x += 10)
-        QTest::touchEvent(&canvas(), screen_).move(0, from + QPoint(x, 0));
-    QTest::touchEvent(&canvas(), screen_).stationary(0).press(1, from + QPoint(0, 90));
-    QTest::touchEvent(&canvas(), screen_).stationary(0).move(1, from + QPoint(50, 120));
-    QTest::touchEvent(&canvas(), screen_).release(0, from + QPoint(120, 0)).release(1, from);
-    EXPECT_EQ(canvas().view_transform(), view);
-    EXPECT_GT(volume_mm3(), 2.0);
-    EXPECT_FALSE(session().status().stroke_in_progress);
-}
-
 class CanvasAlone : public TurnedView {
   protected:
     /// By name: raising a panel changes its place among the window's children.

@@ -25,11 +25,11 @@ QString outside_words() {
 SelectionCommands::SelectionCommands(Studio& studio, panels::BrushPanel* brushes,
                                      panels::StatusReadings* readings)
     : studio_(studio), readings_(readings) {
-    const auto draw = [this](view::AreaForm form) {
+    const auto draw = [this](interactions::AreaForm form) {
         return [this, form](bool on) { draw_areas(on ? std::optional(form) : std::nullopt); };
     };
-    studio_.commands().on(Command::SelectRectangle, draw(view::AreaForm::Rectangle));
-    studio_.commands().on(Command::SelectLasso, draw(view::AreaForm::Lasso));
+    studio_.commands().on(Command::SelectRectangle, draw(interactions::AreaForm::Rectangle));
+    studio_.commands().on(Command::SelectLasso, draw(interactions::AreaForm::Lasso));
     studio_.commands().on(Command::SelectEverything,
                           [this](bool) { studio_.easel().select(document::SelectAll{}); });
     studio_.commands().on(Command::InvertSelection,
@@ -38,23 +38,25 @@ SelectionCommands::SelectionCommands(Studio& studio, panels::BrushPanel* brushes
                           [this](bool shown) { studio_.canvas().show_outline(shown); });
     studio_.commands().action(Command::ShowOutline)->setChecked(true);
     connect(brushes, &panels::BrushPanel::brush_taken, this, [this] { draw_areas(std::nullopt); });
-    connect(&studio_.canvas(), &view::CanvasView::areas_left, this,
+    connect(&studio_.on_canvas().areas, &interactions::Areas::left, this,
             [this] { draw_areas(std::nullopt); });
-    connect(&studio_.canvas(), &view::CanvasView::area_begun, this,
+    connect(&studio_.on_canvas().areas, &interactions::Areas::begun, this,
             &SelectionCommands::tell_combination);
-    connect(&studio_.canvas(), &view::CanvasView::area_given_up, this,
+    connect(&studio_.on_canvas().areas, &interactions::Areas::cancelled, this,
             [this] { studio_.report(tr("Nothing was selected. Esc again goes back to painting.")); });
-    connect(&studio_.canvas(), &view::CanvasView::area_drawn, this,
+    connect(&studio_.on_canvas().areas, &interactions::Areas::drawn, this,
             [this](const document::SelectArea& area) {
                 studio_.easel().select(area);
                 studio_.report(
                     tr("Tools keep to the outline. Esc, or taking a tool, goes back to painting."));
             });
-    connect(&studio_.canvas(), &view::CanvasView::area_clicked, this, [this](grid::Combination how) {
-        const bool ends = how == grid::Combination::Replace && shown_ != nullptr;
-        if (ends) studio_.easel().select(document::SelectAll{});
-    });
-    connect(&studio_.canvas(), &view::CanvasView::stroke_begun, this, &SelectionCommands::warn_outside);
+    connect(&studio_.on_canvas().areas, &interactions::Areas::clicked, this,
+            [this](grid::Combination how) {
+                const bool ends = how == grid::Combination::Replace && shown_ != nullptr;
+                if (ends) studio_.easel().select(document::SelectAll{});
+            });
+    connect(&studio_.on_canvas().paint, &interactions::Paint::stroke_begun, this,
+            &SelectionCommands::warn_outside);
     connect(&studio_.canvas(), &view::CanvasView::pointer_moved, this, [this](const QPointF& canvas_mm) {
         if (studio_.easel().painting() &&
             studio_.window().statusBar()->currentMessage() == outside_words())
@@ -65,13 +67,15 @@ SelectionCommands::SelectionCommands(Studio& studio, panels::BrushPanel* brushes
 }
 
 /// Nothing: the brush paints again.
-void SelectionCommands::draw_areas(std::optional<view::AreaForm> form) {
+void SelectionCommands::draw_areas(std::optional<interactions::AreaForm> form) {
     if (form == form_) return;
     if (form) Q_EMIT drawing_begins();
     form_ = form;
-    studio_.canvas().draw_areas(form);
-    studio_.commands().action(Command::SelectRectangle)->setChecked(form == view::AreaForm::Rectangle);
-    studio_.commands().action(Command::SelectLasso)->setChecked(form == view::AreaForm::Lasso);
+    studio_.on_canvas().areas.draw_next(form);
+    studio_.commands()
+        .action(Command::SelectRectangle)
+        ->setChecked(form == interactions::AreaForm::Rectangle);
+    studio_.commands().action(Command::SelectLasso)->setChecked(form == interactions::AreaForm::Lasso);
     if (form)
         studio_.report(
             tr("Drag around what tools shall keep to. Shift adds, Alt takes away, both keep what is "
@@ -121,7 +125,7 @@ void SelectionCommands::show_reading() {
          {Command::SelectEverything, Command::InvertSelection, Command::CropToSelection})
         studio_.commands().action(command)->setEnabled(any);
     QString drawing;
-    if (form_) drawing = form_ == view::AreaForm::Lasso ? tr("lasso") : tr("rectangle");
+    if (form_) drawing = form_ == interactions::AreaForm::Lasso ? tr("lasso") : tr("rectangle");
     readings_->show_selection(drawing,
                               any ? std::optional(tools::selected_share(shown_)) : std::nullopt);
 }

@@ -1,8 +1,8 @@
 // Selections: outlines drawn on the canvas, and what is told of them.
 #pragma once
 
+#include "interactions/area_drag.hpp"
 #include "main/studio.hpp"
-#include "view/area_drag.hpp"
 
 #include <optional>
 
@@ -25,7 +25,7 @@ class SelectionCommands : public QObject {
     void drawing_begins();  ///< a press draws outlines from now on, and nothing else
 
   private:
-    void draw_areas(std::optional<view::AreaForm> form);
+    void draw_areas(std::optional<interactions::AreaForm> form);
     void tell_combination(grid::Combination how);
     void warn_outside(const QPointF& canvas_mm);
     void show(const document::Snapshot& painting);
@@ -33,7 +33,7 @@ class SelectionCommands : public QObject {
 
     Studio& studio_;
     panels::StatusReadings* readings_;
-    std::optional<view::AreaForm> form_;  ///< what a press on the canvas draws; none: it paints
+    std::optional<interactions::AreaForm> form_;  ///< what a press on the canvas draws; none: it paints
     document::Selection shown_;
 };
 

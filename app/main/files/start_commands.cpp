@@ -24,7 +24,8 @@ StartCommands::StartCommands(Studio& studio, ProjectFiles& files, const MessageP
     for (const Command liquid : {Command::MilkTea, Command::GlassTank})
         studio_.commands().on(liquid, [this](bool) { dismiss(); });
     connect(&studio_, &Studio::session_begun, this, &StartCommands::dismiss);
-    connect(&studio_.canvas(), &view::CanvasView::stroke_begun, this, &StartCommands::dismiss);
+    connect(&studio_.on_canvas().paint, &interactions::Paint::stroke_begun, this,
+            &StartCommands::dismiss);
     connect(&studio_.canvas(), &view::CanvasView::escaped, this, &StartCommands::dismiss);
     connect(&messages_, &MessagePlace::free_canvas_changed, this, &StartCommands::place);
 }

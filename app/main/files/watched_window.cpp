@@ -6,15 +6,15 @@ namespace pastoso::main {
 
 WatchedWindow::WatchedWindow(const QString& title, const view::CanvasView& like, QWidget* parent)
     : QDialog(parent, Qt::Window),
-      easel_(tools::Hand{}, [](document::Action) {}),
-      canvas_(new view::CanvasView(&easel_)) {
-    easel_.lend_brush(true);
+      canvas_(new view::CanvasView),
+      navigate_(*canvas_, true),
+      finger_move_(*canvas_, navigate_) {
+    canvas_->add(navigate_);
+    canvas_->add(finger_move_);
     setWindowTitle(title);
     setAttribute(Qt::WA_DeleteOnClose);
     canvas_->set_lighting(like.lighting());
     canvas_->set_viewing(like.viewing());
-    canvas_->show_handles(false);
-    canvas_->hide_tool();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(8);
@@ -23,7 +23,7 @@ WatchedWindow::WatchedWindow(const QString& title, const view::CanvasView& like,
     connect(canvas_, &view::CanvasView::escaped, this, &QDialog::close);
 }
 
-/// The view goes before the easel that it tells of the pointer.
+/// The view goes before what the pointer does over it.
 WatchedWindow::~WatchedWindow() {
     delete canvas_;
 }

@@ -70,8 +70,8 @@ LayerTransform::LayerTransform(Studio& studio, panels::BrushPanel* brushes) : st
             cancel();
     });
     connect(brushes, &panels::BrushPanel::brush_taken, this, &LayerTransform::cancel);
-    connect(&studio_.canvas(), &view::CanvasView::frame_accepted, this, &LayerTransform::apply);
-    connect(&studio_.canvas(), &view::CanvasView::frame_cancelled, this, &LayerTransform::cancel);
+    connect(&studio_.on_canvas().frame, &interactions::Frame::accepted, this, &LayerTransform::apply);
+    connect(&studio_.on_canvas().frame, &interactions::Frame::cancelled, this, &LayerTransform::cancel);
     connect(&studio_, &Studio::session_ends, this, &LayerTransform::end);
     connect(&studio_, &Studio::published, this,
             [this](const auto& painting, const auto& status) { follow(*painting, status); });
@@ -99,8 +99,8 @@ void LayerTransform::begin() {
 }
 
 void LayerTransform::show(const tools::TransformFrame& frame, const document::Snapshot& painting) {
-    studio_.canvas().show_frame(frame);
-    studio_.canvas().show_in_frame(picture_in(frame, painting));
+    studio_.on_canvas().frame.show(frame);
+    studio_.on_canvas().frame.show_picture(picture_in(frame, painting));
     const document::CanvasSettings& canvas = painting.bare->settings;
     open_dialog(frame, {canvas.width_mm, canvas.height_mm});
     studio_.canvas().setFocus();
@@ -117,8 +117,8 @@ void LayerTransform::open_dialog(const tools::TransformFrame& frame, const QSize
     // The keys stay with the canvas.
     dialog->setAttribute(Qt::WA_ShowWithoutActivating);
     connect(dialog, &dialogs::TransformDialog::changed, this,
-            [this](const tools::TransformFrame& changed) { studio_.canvas().show_frame(changed); });
-    connect(&studio_.canvas(), &view::CanvasView::frame_dragged, dialog,
+            [this](const tools::TransformFrame& changed) { studio_.on_canvas().frame.show(changed); });
+    connect(&studio_.on_canvas().frame, &interactions::Frame::dragged, dialog,
             &dialogs::TransformDialog::show_frame);
     connect(dialog, &QDialog::accepted, this, &LayerTransform::apply);
     connect(dialog, &QDialog::rejected, this, &LayerTransform::cancel);
@@ -135,7 +135,7 @@ void LayerTransform::open_dialog(const tools::TransformFrame& frame, const QSize
 bool LayerTransform::end() {
     if (!transforming_) return false;
     transforming_.reset();
-    studio_.canvas().show_frame(std::nullopt);
+    studio_.on_canvas().frame.show(std::nullopt);
     if (dialog_ != nullptr) {
         dialog_->disconnect(this);
         dialog_->hide();
@@ -154,10 +154,10 @@ bool LayerTransform::cancel() {
 }
 
 void LayerTransform::apply() {
-    if (!transforming_ || !studio_.canvas().frame()) return;
+    if (!transforming_ || !studio_.on_canvas().frame.shown()) return;
     const document::LayerId layer = transforming_->layer;
-    const auto wanted =
-        tools::transform_of(*studio_.canvas().frame(), 1.0 / transforming_->bare->settings.px_per_mm);
+    const auto wanted = tools::transform_of(*studio_.on_canvas().frame.shown(),
+                                            1.0 / transforming_->bare->settings.px_per_mm);
     if (!wanted) {
         cancel();
         return;

@@ -116,8 +116,8 @@ void LightChoice::connect_commands() {
         studio_.commands().on(command, [this, space = space](bool) { use_space(space); });
     }
     studio_.commands().on(Command::MoveLight,
-                          [this](bool shown) { studio_.canvas().show_light_handle(shown); });
-    connect(&studio_.canvas(), &view::CanvasView::light_dragged, this, &LightChoice::move_lamp);
+                          [this](bool shown) { studio_.on_canvas().lamp.show(shown); });
+    connect(&studio_.on_canvas().lamp, &interactions::Lamp::dragged, this, &LightChoice::move_lamp);
 }
 
 void LightChoice::connect_panels() {

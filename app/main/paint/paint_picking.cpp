@@ -33,15 +33,26 @@ PaintPicking::PaintPicking(Studio& studio) : studio_(studio) {
             pick_from(surface, place_mm, pick);
         };
     };
-    connect(&studio_.canvas(), &view::CanvasView::picked, this, pick_on(document::Surface::Canvas));
-    connect(&studio_.well(), &view::CanvasView::picked, this, pick_on(document::Surface::Well));
+    const auto listen = [&](interactions::OnCanvas* on, document::Surface surface) {
+        for (const interactions::Picking* picking :
+             std::initializer_list<interactions::Picking*>{&on->pick_next, &on->pick_by_keys})
+            connect(picking, &interactions::Picking::picked, this, pick_on(surface));
+        connect(&on->buttons, &interactions::Buttons::picked, this, pick_on(surface));
+    };
+    listen(studio_.on_views()[0], document::Surface::Canvas);
+    listen(studio_.on_views()[1], document::Surface::Well);
+    for (const auto& [view, surface] : {std::pair(&studio_.canvas(), document::Surface::Canvas),
+                                        std::pair(&studio_.well(), document::Surface::Well)})
+        connect(view, &view::CanvasView::held, this, [pick = pick_on(surface)](const QPointF& place_mm) {
+            pick(place_mm, tools::Pick::Paint);
+        });
 }
 
 void PaintPicking::pick_at_next_click(std::optional<tools::Pick> pick) {
     studio_.commands().action(Command::PickPaint)->setChecked(pick == tools::Pick::Paint);
     studio_.commands().action(Command::PickColour)->setChecked(pick == tools::Pick::Seen);
-    for (view::CanvasView* view : studio_.views())
-        view->pick_next(pick);
+    for (interactions::OnCanvas* on : studio_.on_views())
+        on->pick_next.arm(pick);
 }
 
 /// Where no paint lies, its colour is all there is to pick.

@@ -31,7 +31,7 @@ GuideCommands::GuideCommands(Studio& studio, panels::GuidesPanel* guides)
     studio_.commands().on(Command::Ruler, [this](bool lies) { lay_ruler(lies); });
     studio_.commands().on(Command::Ellipse, [this](bool lies) { lay_ellipse(lies); });
     studio_.commands().on(Command::GuideHandles,
-                          [this](bool shown) { studio_.canvas().show_handles(shown); });
+                          [this](bool shown) { studio_.on_canvas().guides.show_handles(shown); });
     studio_.commands().on(Command::RemoveGuides, [this](bool) { remove_guides(); });
     studio_.commands().action(Command::GuideHandles)->setChecked(true);
     connect(guides_, &panels::GuidesPanel::symmetry_chosen, this, &GuideCommands::set_symmetry);
@@ -39,7 +39,8 @@ GuideCommands::GuideCommands(Studio& studio, panels::GuidesPanel* guides)
             [this](const brush::Ruler& ruler) { move_guide(ruler); });
     connect(guides_, &panels::GuidesPanel::ellipse_chosen, this,
             [this](const brush::EllipseCurve& ellipse) { move_guide(ellipse); });
-    connect(&studio_.canvas(), &view::CanvasView::guide_dragged, this, &GuideCommands::move_guide);
+    connect(&studio_.on_canvas().guides, &interactions::Guides::dragged, this,
+            &GuideCommands::move_guide);
     connect(&studio_, &Studio::hand_changed, this, &GuideCommands::show);
 }
 

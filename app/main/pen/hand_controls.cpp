@@ -147,8 +147,8 @@ void HandControls::show(const tools::Hand& hand) {
     const bool dips = tools::preset_in_hand(hand).dips;
     for (const auto command : {Command::ReloadBrush, Command::TopUpBrush})
         commands.action(command)->setEnabled(dips);
-    for (view::CanvasView* view : studio_.views())
-        view->set_tool(tool_in_hand(hand));
+    for (interactions::OnCanvas* on : studio_.on_views())
+        on->paint.set_tool(tool_in_hand(hand));
 }
 
 }  // namespace pastoso::main

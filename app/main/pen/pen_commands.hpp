@@ -28,6 +28,9 @@ class PenCommands : public QObject {
     void use(const tools::PenSettings& settings);
     void remember();
     void turn_pen(bool eraser_end);
+    void turn_wheel(int notches);
+    void give(const QString& name);
+    void tap(int fingers);
 
     Studio& studio_;
     tools::PenSettings settings_;

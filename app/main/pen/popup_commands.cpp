@@ -55,8 +55,8 @@ PopupCommands::PopupCommands(Studio& studio, BrushJar& brushes, const Swatches& 
       colours_(colours),
       file_(studio, core::user_data_path("popup.json")) {
     studio_.commands().on(Command::PopupPalette, [this](bool) { open_at_pointer(); });
-    for (view::CanvasView* view : studio_.views())
-        connect(view, &view::CanvasView::palette_wanted, this, &PopupCommands::open);
+    for (const interactions::OnCanvas* on : studio_.on_views())
+        connect(&on->buttons, &interactions::Buttons::palette_wanted, this, &PopupCommands::open);
     connect(&studio_, &Studio::hand_changed, this,
             [this](const tools::Hand& hand) { tools::note_use(hand.brush, slots_); });
 }

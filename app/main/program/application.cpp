@@ -10,6 +10,8 @@ namespace pastoso::main {
 
 Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     std::setlocale(LC_NUMERIC, "C");
+    // A mouse that moves while the window is busy paints a curve as well, and no corners.
+    setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
 }
 
 bool Application::notify(QObject* receiver, QEvent* event) {

@@ -1,10 +1,13 @@
 #include "panels/pen/pen_buttons.hpp"
 
 #include "appearance/shown_names.hpp"
+#include "commands/command_names.hpp"
+#include "commands/command_words.hpp"
 #include "panels/parts/labels.hpp"
 
 #include <utility>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -12,6 +15,7 @@
 
 namespace pastoso::panels {
 
+using tools::PenButton;
 using tools::PenButtonDoes;
 
 PenButtons::PenButtons(const tools::PenSettings& settings, QWidget* parent) : QWidget(parent) {
@@ -29,28 +33,51 @@ PenButtons::PenButtons(const tools::PenSettings& settings, QWidget* parent) : QW
         grid->addWidget(box, row, 1);
     };
     add(tr("Eraser end"), eraser_choice(settings.eraser_tool));
-    add(tr("Lower button"),
-        button_choice("lower_button", &tools::PenSettings::lower_button, settings.lower_button));
-    add(tr("Upper button"),
-        button_choice("upper_button", &tools::PenSettings::upper_button, settings.upper_button));
+    const auto add_button = [&](const QString& words, const char* name, PenButton button) {
+        add(words, button_choice(name, button, settings.action(button)));
+    };
+    add_button(tr("Lower button"), "lower_button", PenButton::Lower);
+    add_button(tr("Upper button"), "upper_button", PenButton::Upper);
+    add_button(tr("Third button"), "third_button", PenButton::Third);
+    add_button(tr("Wheel forward"), "wheel_forward", PenButton::WheelForward);
+    add_button(tr("Wheel back"), "wheel_back", PenButton::WheelBack);
     column->addLayout(grid);
+    auto* fingers = new QCheckBox(tr("Fingers paint"));
+    fingers->setObjectName(QStringLiteral("fingers_paint"));
+    fingers->setToolTip(tr("Otherwise one finger moves the canvas, as two always do"));
+    fingers->setChecked(settings.fingers_paint);
+    connect(fingers, &QCheckBox::toggled, this, &PenButtons::fingers_chosen);
+    column->addWidget(fingers);
     column->addStretch(1);
 }
 
-QComboBox* PenButtons::button_choice(const char* name, Button button, PenButtonDoes chosen) {
+/// A wheel gives commands alone.
+QComboBox* PenButtons::button_choice(const char* name, PenButton button,
+                                     const tools::PenAction& chosen) {
+    const bool is_wheel = button == PenButton::WheelForward || button == PenButton::WheelBack;
     const std::pair<PenButtonDoes, QString> choices[] = {
+        {PenButtonDoes::Nothing, tr("does nothing")},
         {PenButtonDoes::PickPaint, tr("picks up paint")},
         {PenButtonDoes::PickColour, tr("picks the colour seen")},
         {PenButtonDoes::MoveCanvas, tr("moves the canvas")},
-        {PenButtonDoes::PopupPalette, tr("opens the palette")},
-        {PenButtonDoes::Nothing, tr("does nothing")}};
+        {PenButtonDoes::PopupPalette, tr("opens the palette")}};
     auto* box = new QComboBox;
     box->setObjectName(QLatin1String(name));
-    for (const auto& [what, words] : choices)
-        box->addItem(words, static_cast<int>(what));
-    box->setCurrentIndex(box->findData(static_cast<int>(chosen)));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (const auto& [what, words] : choices) {
+        if (is_wheel && what != PenButtonDoes::Nothing) continue;
+        box->addItem(words, QVariant::fromValue(tools::PenAction{what}));
+    }
+    box->insertSeparator(box->count());
+    for (const commands::CommandText& command : commands::command_list())
+        box->addItem(commands::plain_words(command.words),
+                     QVariant::fromValue(tools::PenAction{
+                         PenButtonDoes::Command, std::string(commands::name_of(command.command))}));
+    for (int i = 0; i < box->count(); ++i)
+        if (box->itemData(i).isValid() && box->itemData(i).value<tools::PenAction>() == chosen)
+            box->setCurrentIndex(i);
     connect(box, &QComboBox::activated, this, [this, box, button] {
-        Q_EMIT button_chosen(button, static_cast<PenButtonDoes>(box->currentData().toInt()));
+        Q_EMIT button_chosen(button, box->currentData().value<tools::PenAction>());
     });
     return box;
 }

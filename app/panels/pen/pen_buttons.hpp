@@ -1,4 +1,4 @@
-// What the ends and buttons of pens do.
+// What the ends and buttons of pens do, and fingers.
 #pragma once
 
 #include "tools/pen_settings.hpp"
@@ -14,16 +14,14 @@ class PenButtons : public QWidget {
   public:
     explicit PenButtons(const tools::PenSettings& settings, QWidget* parent = nullptr);
 
-    /// One of PenSettings' buttons.
-    using Button = tools::PenButtonDoes tools::PenSettings::*;
-
   Q_SIGNALS:
     void eraser_chosen(const QString& tool);  ///< empty: the end paints like the tip
-    void button_chosen(Button button, tools::PenButtonDoes what);
+    void button_chosen(tools::PenButton button, const tools::PenAction& action);
+    void fingers_chosen(bool paint);
 
   private:
     QComboBox* eraser_choice(const std::string& chosen);
-    QComboBox* button_choice(const char* name, Button button, tools::PenButtonDoes chosen);
+    QComboBox* button_choice(const char* name, tools::PenButton button, const tools::PenAction& chosen);
 };
 
 }  // namespace pastoso::panels

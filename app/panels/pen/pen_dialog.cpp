@@ -21,7 +21,6 @@
 namespace pastoso::panels {
 namespace {
 
-using tools::PenButtonDoes;
 using tools::PenDevice;
 using tools::ReadyCurve;
 
@@ -133,10 +132,14 @@ QWidget* PenDialog::make_buttons_part() {
         change();
     });
     connect(part, &PenButtons::button_chosen, this,
-            [this](PenButtonDoes tools::PenSettings::*button, PenButtonDoes what) {
-                settings_.*button = what;
+            [this](tools::PenButton button, const tools::PenAction& action) {
+                settings_.buttons[static_cast<std::size_t>(button)] = action;
                 change();
             });
+    connect(part, &PenButtons::fingers_chosen, this, [this](bool paint) {
+        settings_.fingers_paint = paint;
+        change();
+    });
     return part;
 }
 

@@ -9,7 +9,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 
 class BrushOutline {
   public:
@@ -35,4 +35,4 @@ std::vector<glm::vec2> hull_mm(const std::vector<glm::vec2>& centres_mm, double 
 /// more it leans the longer, nothing where it stands nearly upright.
 glm::dvec2 handle_px(double tilt_x_deg, double tilt_y_deg);
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

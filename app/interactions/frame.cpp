@@ -1,17 +1,20 @@
-// The part of CanvasView in which a frame moves, scales and turns paint.
+#include "interactions/frame.hpp"
 
 #include "core/units.hpp"
-#include "view/canvas_view.hpp"
 #include "view/frame_device.hpp"
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 namespace {
+
+using view::Took;
 
 /// So near to a handle a press takes hold of it.
 constexpr double kReach_px = 9.0;
@@ -82,96 +85,118 @@ QImage veil_of(QImage picture) {
     return picture;
 }
 
+glm::dvec2 place_of(const input::PointerEvent& event) {
+    return {event.pointer.x_mm, event.pointer.y_mm};
+}
+
 }  // namespace
 
-void CanvasView::show_frame(std::optional<tools::TransformFrame> frame) {
+void Frame::show(std::optional<tools::TransformFrame> frame) {
     frame_ = std::move(frame);
     if (!frame_) {
-        frame_drag_.reset();
-        frame_picture_ = frame_veil_ = {};
+        drag_.reset();
+        picture_ = veil_ = {};
     }
-    set_cursor();
+    canvas_.refresh();
 }
 
-void CanvasView::show_in_frame(const QImage& picture) {
-    frame_picture_ = picture;
-    frame_veil_ = veil_of(picture);
-    update();
+void Frame::show_picture(const QImage& picture) {
+    picture_ = picture;
+    veil_ = veil_of(picture);
+    canvas_.update();
 }
 
-tools::FrameHold CanvasView::hold_under(const QPointF& position) const {
-    return tools::hold_at(*frame_, canvas_mm(position), kReach_px * devicePixelRatioF() * mm_per_px());
+tools::FrameHold Frame::hold_at(const glm::dvec2& place_mm) const {
+    return tools::hold_at(*frame_, place_mm, kReach_px * canvas_.px_mm());
 }
 
-void CanvasView::press_frame(const QPointF& position) {
-    frame_drag_ = FrameDrag{*frame_, hold_under(position), canvas_mm(position)};
-    set_cursor();
+/// Whatever the button: nothing else is done beside the frame.
+Took Frame::press(const input::PointerEvent& event) {
+    if (!frame_) return Took::Nothing;
+    if (event.button != Qt::LeftButton) return Took::Press;
+    under_ = hold_at(place_of(event));
+    drag_ = Drag{*frame_, under_, place_of(event)};
+    return Took::Pointer;
 }
 
-void CanvasView::drag_frame(const QPointF& position, Qt::KeyboardModifiers modifiers) {
-    const bool constrained = modifiers.testFlag(Qt::ShiftModifier);
-    frame_ = tools::dragged(frame_drag_->start, frame_drag_->hold, frame_drag_->from_mm,
-                            canvas_mm(position), constrained, wanted_->film.cell_mm);
-    set_cursor();
-    Q_EMIT frame_dragged(*frame_);
+void Frame::drag(const input::PointerEvent& event) {
+    if (!frame_ || !drag_) return;
+    const bool constrained = event.modifiers.testFlag(Qt::ShiftModifier);
+    frame_ = tools::dragged(drag_->start, drag_->hold, drag_->from_mm, place_of(event), constrained,
+                            canvas_.cell_mm());
+    Q_EMIT dragged(*frame_);
 }
 
-/// Enter keeps what the frame shows; Escape gives up the drag, or else the frame. False for other keys.
-bool CanvasView::press_frame_key(int key) {
-    if (!frame_) return false;
-    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-        frame_drag_.reset();
-        Q_EMIT frame_accepted();
+void Frame::release(const input::PointerEvent& event) {
+    if (event.kind == input::Kind::Release) drag(event);
+    drag_.reset();
+}
+
+void Frame::cancel() {
+    if (!frame_ || !drag_) return;
+    frame_ = std::exchange(drag_, std::nullopt)->start;
+    Q_EMIT dragged(*frame_);
+}
+
+bool Frame::key(const QKeyEvent& event) {
+    if (!frame_ || event.type() != QEvent::KeyPress) return false;
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+        drag_.reset();
+        Q_EMIT accepted();
         return true;
     }
-    if (key != Qt::Key_Escape) return false;
-    if (frame_drag_) {
-        frame_ = std::exchange(frame_drag_, std::nullopt)->start;
-        set_cursor();
-        Q_EMIT frame_dragged(*frame_);
-    } else {
-        Q_EMIT frame_cancelled();
-    }
+    if (event.key() != Qt::Key_Escape) return false;
+    if (drag_)
+        cancel();
+    else
+        Q_EMIT cancelled();
     return true;
 }
 
-QCursor CanvasView::frame_cursor() const {
-    if (!pointer_) return Qt::ArrowCursor;
-    const tools::FrameHold hold = frame_drag_ ? frame_drag_->hold : hold_under(*pointer_);
+void Frame::hover(const input::PointerEvent& event) {
+    if (frame_) under_ = hold_at(place_of(event));
+}
+
+std::optional<QCursor> Frame::cursor() const {
+    if (!frame_) return std::nullopt;
+    const tools::FrameHold hold = drag_ ? drag_->hold : under_;
     if (hold.kind == tools::FrameHold::Kind::Move) return Qt::SizeAllCursor;
     if (hold.kind == tools::FrameHold::Kind::Turn) return turning_cursor();
-    const QPointF way = widget_position(tools::handle_mm(*frame_, hold.side)) -
-                        widget_position(tools::handle_mm(*frame_, {0, 0}));
+    const QPointF way = canvas_.widget_position(tools::handle_mm(*frame_, hold.side)) -
+                        canvas_.widget_position(tools::handle_mm(*frame_, {0, 0}));
     return scaling_cursor({way.x(), way.y()});
 }
 
 /// The box as it was is drawn faintly.
-void CanvasView::draw_frame() {
+void Frame::draw(const view::Overlay& overlay) {
+    if (!frame_) return;
     constexpr float kFaint = 0.4F;
-    const OverlayFrame canvas = overlay_frame(view_.device_from_cell({0.0, 0.0}));
-    overlay_.draw_loop(corners(as_it_was(*frame_)), canvas, kFaint);
-    overlay_.draw_loop(corners(*frame_), canvas, 1.0F);
-    const double half_mm = kHandle_px * devicePixelRatioF() * mm_per_px();
+    draw_picture(overlay);
+    overlay.lines.draw_loop(corners(as_it_was(*frame_)), overlay.canvas, kFaint);
+    overlay.lines.draw_loop(corners(*frame_), overlay.canvas, 1.0F);
     for (const glm::ivec2& side : tools::kFrameHandles)
-        overlay_.draw_loop(square_around(tools::handle_mm(*frame_, side), half_mm), canvas, 1.0F);
+        overlay.lines.draw_loop(
+            square_around(tools::handle_mm(*frame_, side), kHandle_px * overlay.px_mm), overlay.canvas,
+            1.0F);
 }
 
 /// The paint where it would come to lie.
-void CanvasView::draw_frame_picture() {
+void Frame::draw_picture(const view::Overlay& overlay) const {
     constexpr double kVeil = 0.75, kPaint = 0.85;
-    if (frame_picture_.isNull() || *frame_ == as_it_was(*frame_)) return;
-    draw_in(as_it_was(*frame_), frame_veil_, kVeil);
-    draw_in(*frame_, frame_picture_, kPaint);
+    if (picture_.isNull() || *frame_ == as_it_was(*frame_)) return;
+    draw_in(overlay, as_it_was(*frame_), veil_, kVeil);
+    draw_in(overlay, *frame_, picture_, kPaint);
 }
 
-void CanvasView::draw_in(const tools::TransformFrame& frame, const QImage& picture, double opacity) {
+void Frame::draw_in(const view::Overlay& overlay, const tools::TransformFrame& frame,
+                    const QImage& picture, double opacity) const {
     const auto widget_point = [&](const glm::ivec2& side) {
-        return widget_position(tools::handle_mm(frame, side));
+        return canvas_.widget_position(tools::handle_mm(frame, side));
     };
     const QPointF origin = widget_point({-1, -1});
     const QPointF across = (widget_point({1, -1}) - origin) / picture.width();
     const QPointF down = (widget_point({-1, 1}) - origin) / picture.height();
-    FrameDevice device(*this);
+    view::FrameDevice device(overlay.widget);
     QPainter painter(&device);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.setOpacity(opacity);
@@ -179,4 +204,4 @@ void CanvasView::draw_in(const tools::TransformFrame& frame, const QImage& pictu
     painter.drawImage(QPointF(0.0, 0.0), picture);
 }
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

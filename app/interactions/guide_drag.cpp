@@ -1,8 +1,8 @@
-#include "view/guide_drag.hpp"
+#include "interactions/guide_drag.hpp"
 
 #include <algorithm>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 
 bool GuideDrag::press(const tools::Hand& hand, const glm::dvec2& place_mm, double axis_mm,
                       double reach_mm) {
@@ -23,4 +23,4 @@ std::optional<tools::Guide> GuideDrag::move(const tools::Hand& hand, const glm::
     return tools::dragged(hand, *handle_, place_mm + offset_mm_, square);
 }
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

@@ -1,4 +1,4 @@
-#include "view/brush_outline.hpp"
+#include "interactions/brush_outline.hpp"
 
 #include "brush/footprint.hpp"
 #include "brush/hand_pose.hpp"
@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 namespace {
 
 constexpr int kPoints = 96;
@@ -79,4 +79,4 @@ glm::dvec2 handle_px(double tilt_x_deg, double tilt_y_deg) {
     return kHandle_px / std::sqrt(1.0 + tangent * tangent) * lean;
 }
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

@@ -7,11 +7,11 @@
 
 #include <glm/vec2.hpp>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 
 /// Every two points are a line, in millimetres, ending at the canvas's edges: the mirror's axes, or
 /// without a mirror the rays that part the copies; the ruler; the ellipse in short pieces. Empty without
 /// any of these.
 std::vector<glm::vec2> guide_lines_mm(const tools::Hand& hand, const glm::dvec2& canvas_mm);
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

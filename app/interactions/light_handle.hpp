@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 
 /// As low as the handle goes, at the rim; in the middle the lamp stands above the canvas.
 inline constexpr double kLowestLight_deg = 8.0;
@@ -22,12 +22,12 @@ struct LightDial {
 };
 
 /// Where the handle lies on the screen of a canvas that is seen so.
-glm::dvec2 light_handle_px(const LightDial& dial, const ViewTransform& view,
+glm::dvec2 light_handle_px(const LightDial& dial, const view::ViewTransform& view,
                            const LightDirection& light);
 
 /// The light whose handle lies there, or on the rim towards there. In the very middle the azimuth is
 /// that of `before`.
-LightDirection light_at(const LightDial& dial, const ViewTransform& view, const glm::dvec2& handle_px,
-                        const LightDirection& before);
+LightDirection light_at(const LightDial& dial, const view::ViewTransform& view,
+                        const glm::dvec2& handle_px, const LightDirection& before);
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

@@ -1,4 +1,4 @@
-#include "view/area_drag.hpp"
+#include "interactions/area_drag.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 namespace {
 
 /// The hand of a click trembles by less.
@@ -74,4 +74,4 @@ std::optional<document::SelectArea> AreaDrag::release(double px_mm) {
     return area;
 }
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

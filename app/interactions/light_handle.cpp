@@ -1,4 +1,4 @@
-#include "view/light_handle.hpp"
+#include "interactions/light_handle.hpp"
 
 #include "core/units.hpp"
 
@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 namespace {
 
 constexpr double kFull_deg = 90.0 - kLowestLight_deg;
@@ -18,7 +18,7 @@ constexpr double kMiddle = 1e-3;
 
 }  // namespace
 
-glm::dvec2 light_handle_px(const LightDial& dial, const ViewTransform& view,
+glm::dvec2 light_handle_px(const LightDial& dial, const view::ViewTransform& view,
                            const LightDirection& light) {
     const double azimuth = core::radians(light.azimuth_deg);
     const double share = std::min((90.0 - light.elevation_deg) / kFull_deg, 1.0);
@@ -26,8 +26,8 @@ glm::dvec2 light_handle_px(const LightDial& dial, const ViewTransform& view,
            dial.radius_px * share * (view.axes() * glm::dvec2(std::cos(azimuth), -std::sin(azimuth)));
 }
 
-LightDirection light_at(const LightDial& dial, const ViewTransform& view, const glm::dvec2& handle_px,
-                        const LightDirection& before) {
+LightDirection light_at(const LightDial& dial, const view::ViewTransform& view,
+                        const glm::dvec2& handle_px, const LightDirection& before) {
     const glm::dvec2 way = glm::transpose(view.axes()) * (handle_px - dial.centre_px) / dial.radius_px;
     const double share = std::min(glm::length(way), 1.0);
     const double elevation_deg = 90.0 - kFull_deg * share;
@@ -36,4 +36,4 @@ LightDirection light_at(const LightDial& dial, const ViewTransform& view, const 
     return {azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg, elevation_deg};
 }
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

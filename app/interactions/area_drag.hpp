@@ -8,7 +8,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 
 enum class AreaForm { Rectangle, Lasso };
 
@@ -38,4 +38,4 @@ class AreaDrag {
     std::vector<glm::dvec2> points_mm_;  ///< never none; the last one follows the pointer
 };
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

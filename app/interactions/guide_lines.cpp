@@ -1,11 +1,11 @@
-#include "view/guide_lines.hpp"
+#include "interactions/guide_lines.hpp"
 
 #include "core/units.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 namespace {
 
 /// The part of the line p + t d, t in [low, high], that lies on the canvas (Liang and Barsky 1984).
@@ -75,4 +75,4 @@ std::vector<glm::vec2> guide_lines_mm(const tools::Hand& hand, const glm::dvec2&
     return lines;
 }
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace pastoso::view {
+namespace pastoso::interactions {
 
 /// Knows which handle the pointer holds. Places are millimetres on the canvas.
 class GuideDrag {
@@ -26,4 +26,4 @@ class GuideDrag {
     glm::dvec2 offset_mm_{};  ///< from where it was pressed to the handle
 };
 
-}  // namespace pastoso::view
+}  // namespace pastoso::interactions

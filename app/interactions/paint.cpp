@@ -1,0 +1,84 @@
+#include "interactions/paint.hpp"
+
+namespace pastoso::interactions {
+namespace {
+
+using view::Took;
+
+/// Longer than the pause between two events of a moving hand.
+constexpr int kWait_ms = 25;
+
+/// With which a pen in the air is shown, before it presses.
+constexpr double kExpectedPressure = 0.5;
+
+}  // namespace
+
+Paint::Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface surface)
+    : canvas_(canvas), easel_(easel), surface_(surface) {
+    waiting_.setInterval(kWait_ms);
+    connect(&waiting_, &QTimer::timeout, this, [this] { easel_.wait(0.001 * kWait_ms, surface_); });
+    waiting_.start();
+}
+
+void Paint::set_tool(const brush::Preset& tool) {
+    outline_.set_tool(tool);
+    canvas_.update();
+}
+
+/// Control squeezes paint onto the well instead of painting there.
+Took Paint::press(const input::PointerEvent& event) {
+    const bool may = event.device != input::Device::Finger || canvas_.pen().fingers_paint;
+    if (event.button != Qt::LeftButton || !may) return Took::Nothing;
+    waiting_.start();
+    const tools::Pointer& pointer = event.pointer;
+    pressure_ = pointer.pressure;
+    if (surface_ == document::Surface::Well && event.modifiers.testFlag(Qt::ControlModifier)) {
+        easel_.squeeze(pointer.x_mm, pointer.y_mm);
+        return Took::Pointer;
+    }
+    easel_.press(pointer, event.modifiers.testFlag(Qt::ShiftModifier));
+    if (surface_ == document::Surface::Canvas) Q_EMIT stroke_begun({pointer.x_mm, pointer.y_mm});
+    return Took::Pointer;
+}
+
+/// In the air, too.
+void Paint::drag(const input::PointerEvent& event) {
+    waiting_.start();
+    pressure_ = event.pointer.pressure;
+    easel_.move(event.pointer);
+}
+
+void Paint::release(const input::PointerEvent& event) {
+    tools::Pointer last = event.pointer;
+    if (last.pressure == 0.0) last.pressure = pressure_;  // a pen that has lifted presses no more
+    if (event.kind == input::Kind::Release && easel_.painting()) easel_.move(last);
+    easel_.release();
+}
+
+void Paint::cancel() {
+    easel_.release();
+}
+
+/// What the brush touches as it is held, and how its handle leans.
+void Paint::draw(const view::Overlay& overlay) {
+    const auto place_mm = canvas_.pointer_mm();
+    if (!place_mm || canvas_.interactions().is_behind_mode(*this)) return;
+    draw_line(overlay, *place_mm);
+    brush::PenSample held = easel_.held();
+    if (held.pressure == 0.0 && !easel_.painting()) held.pressure = kExpectedPressure;
+    const view::OverlayFrame frame = overlay.around(*place_mm);
+    overlay.lines.draw_loop(outline_.around_mm(held), frame, 1.0F);
+    const glm::dvec2 handle = handle_px(held.tilt_x_deg, held.tilt_y_deg);
+    if (handle == glm::dvec2(0.0)) return;
+    overlay.lines.draw_segments({glm::vec2(0.0F), glm::vec2(overlay.px_mm * handle)}, frame, 0.8F);
+}
+
+/// The straight line that is being drawn.
+void Paint::draw_line(const view::Overlay& overlay, const glm::dvec2& end_mm) const {
+    const std::optional<tools::Pointer> start = easel_.line_start();
+    if (!start || surface_ != document::Surface::Canvas) return;
+    overlay.lines.draw_segments({glm::vec2(start->x_mm, start->y_mm), glm::vec2(end_mm)}, overlay.canvas,
+                                1.0F);
+}
+
+}  // namespace pastoso::interactions

@@ -1,0 +1,44 @@
+// The brush: paints where the pointer presses, and shows how it is held.
+#pragma once
+
+#include "interactions/brush_outline.hpp"
+#include "view/canvas_view.hpp"
+
+#include <optional>
+
+#include <QObject>
+#include <QTimer>
+
+namespace pastoso::interactions {
+
+class Paint : public QObject, public view::Interaction {
+    Q_OBJECT
+  public:
+    /// `easel` is told of every stroke, as one on `surface`.
+    Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface surface);
+
+    void set_tool(const brush::Preset& tool);  ///< whose outline goes with the pointer
+
+    view::Took press(const input::PointerEvent& event) override;
+    void drag(const input::PointerEvent& event) override;
+    void release(const input::PointerEvent& event) override;
+    void cancel() override;
+    void hover(const input::PointerEvent& event) override { drag(event); }
+    void draw(const view::Overlay& overlay) override;
+
+  Q_SIGNALS:
+    /// The brush has come down on the canvas.
+    void stroke_begun(const QPointF& canvas_mm);
+
+  private:
+    void draw_line(const view::Overlay& overlay, const glm::dvec2& end_mm) const;
+
+    view::CanvasView& canvas_;
+    tools::Easel& easel_;
+    document::Surface surface_;
+    BrushOutline outline_;
+    QTimer waiting_;         ///< since the pointer moved
+    double pressure_ = 0.0;  ///< the latest
+};
+
+}  // namespace pastoso::interactions
