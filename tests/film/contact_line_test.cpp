@@ -259,6 +259,37 @@ TEST(QuickContactLine, DrawsBackInLargeStepsAsInExplicitOnes) {
     }
 }
 
+// Where paint of a deep valley thins out between two slopes, the parabola through its end bends up from
+// the line: a wedge of less than no thickness would push what it should drag.
+TEST_P(ContactLine, AnEndThatBendsUpDragsAsAnyOther) {
+    constexpr double kThickness[3][5] = {{1.2436, 0.3624, 0.0034, 0.4968, 1.2083},
+                                         {1.6213, 0.6902, 0.2507, 0.5094, 1.3582},
+                                         {1.7708, 1.2186, 0.9439, 1.1074, 1.5716}};
+    constexpr double kSurface[3][5] = {{2.9708, 3.2022, 3.4326, 3.7149, 3.5141},
+                                       {3.3485, 3.3938, 3.4716, 3.5449, 3.5931},
+                                       {3.4980, 3.5470, 3.5907, 3.6401, 3.6113}};
+    const Scene scene{.width = 5,
+                      .height = 3,
+                      .gravity = 0.4226,
+                      .viscosity = 0.02417,
+                      .tension = 0.4178,
+                      .tan_advancing = 0.2417,
+                      .tan_receding = 0.05745,
+                      .slip_cells = 0.2,
+                      .edge_x = Edge::Open,
+                      .edge_y = Edge::Open,
+                      .solver = {.scheme = GetParam()}};
+    for (int i = 1; i <= 100; ++i) {
+        Bench bench(scene);
+        bench.set_support([&](int x, int y) { return kSurface[y][x] - kThickness[y][x]; });
+        bench.fill([&](int x, int y) { return kThickness[y][x]; });
+        const double step_s = 0.002 * i;
+        bench.solver->step(step_s);
+        // From rest it gains no more than the paint's weight on the support's slope of 0.6 gives.
+        EXPECT_LT(std::abs(bench.u(1, 0)), 0.6 * scene.gravity * step_s) << step_s;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Schemes, ContactLine,
                          testing::Values(film::Scheme::Explicit, film::Scheme::LargeStep),
                          [](const auto& test) {

@@ -66,6 +66,12 @@ struct ContactFace {
     F most_mm;       ///< of paint that a step may carry through it, lest the line goes too far
 };
 
+/// Of the film that moves with the contact line: a wedge in half a cell.
+template <class F>
+PASTOSO_LANE_FUNCTION F line_thickness(F slope, const StepConstants& step) {
+    return lanes::max(F(0.5F * step.cell_mm) * slope, F(step.wet_mm));
+}
+
 /// The drive outwards of an edge whose surface meets the support at `slope` instead of `angle`, mm/s2:
 /// what tension does not balance at the contact line, sigma (slope^2 - angle^2) / 2 a length, moves a
 /// cell of film of that thickness; and the paint's weight.
@@ -94,7 +100,7 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_of_dry(const FaceNeighbourhood<F>& fac
         end.normal_along = one;
         end.over_mm = h_wet;
     }
-    const F dragging_mm = step.has_contact_angle() ? F(0.5F * step.cell_mm) * end.contact_slope : h_wet;
+    const F dragging_mm = step.has_contact_angle() ? line_thickness(end.contact_slope, step) : h_wet;
     const F push = contact_push(lanes::max(end.contact_slope, angle), angle, end.normal_along,
                                 dragging_mm, drop, paint.tension(step), step);
     const F acceleration = force + sign * push;
@@ -118,9 +124,11 @@ PASTOSO_LANE_FUNCTION ContactFace<F> edge_within(const FaceNeighbourhood<F>& fac
         end.slope * end.normal_along * F(step.cell_mm) + sign * (face.support_left - face.support_right);
     const auto steep = end.contact_slope > advancing, flat = end.contact_slope < receding;
     const F angle = lanes::select(steep, advancing, receding);
-    const F dragging_mm = F(0.5F * step.cell_mm) * end.contact_slope;
-    const F push = contact_push(end.contact_slope, angle, end.normal_along, dragging_mm, drop,
-                                paint.tension(step), step);
+    // A surface that bends up from the line has no wedge there, but one half as steep as where it enters
+    // the cell.
+    const F dragging_mm = line_thickness(lanes::max(end.contact_slope, F(F(0.5F) * end.slope)), step);
+    const F push = contact_push(lanes::max(end.contact_slope, zero), angle, end.normal_along,
+                                dragging_mm, drop, paint.tension(step), step);
     const F acceleration = force + sign * push;
     const F outwards = sign * acceleration;
     const auto open = (steep && outwards > zero) || (flat && outwards < zero);
