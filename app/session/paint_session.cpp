@@ -37,6 +37,9 @@ std::vector<std::string> known_paints(const document::Recording& past) {
     return names;
 }
 
+/// The paint gives way to the window, and to a graphics driver that is software.
+constexpr int kNice = 10;
+
 /// Until the painting's present tick; of a new painting, nothing.
 document::Recording past_of(const document::Painting& painting, document::Recording past) {
     if (past.events.empty()) past = {.canvas = painting.settings(), .events = {}};
@@ -247,6 +250,8 @@ void PaintSession::wait_until_applied() {
 }
 
 void PaintSession::run() {
+    core::lower_priority(kNice);
+    pool_->lower_priority(kNice);
     while (wait_for_work())
         core::guarded([this] { work(); }, [this](const std::string& fault) { stop_at_fault(fault); });
 }

@@ -9,7 +9,8 @@
 
 #include <utility>
 
-#include <QElapsedTimer>
+#include <QPolygonF>
+#include <glm/common.hpp>
 
 namespace pastoso::view {
 namespace {
@@ -17,14 +18,27 @@ namespace {
 /// A frame that has spent this much on what changed refines nothing more.
 constexpr double kBusy_s = 0.010;
 
-QRect qt_rect(const grid::Rect& cells) {
-    return {cells.x0, cells.y0, cells.width(), cells.height()};
-}
+/// So much of a frame is spent on putting onto the graphics card what has changed.
+constexpr double kUpload_s = 0.008;
 
 Rgb ground_colour() {
     const QColor& ground = appearance::colours().ground;
     return {static_cast<float>(ground.redF()), static_cast<float>(ground.greenF()),
             static_cast<float>(ground.blueF())};
+}
+
+/// The pixels of a window that were in it before, too: those of its edge are left out.
+QRegion moved_window(const ViewTransform& from, const ViewTransform& to, const QRect& window) {
+    QPolygonF corners;
+    for (const QPoint& corner :
+         {window.topLeft(), window.topRight() + QPoint(1, 0), window.bottomRight() + QPoint(1, 1),
+          window.bottomLeft() + QPoint(0, 1)}) {
+        const glm::dvec2 px = to.device_from_cell(from.cell_from_device({corner.x(), corner.y()}));
+        corners << QPointF(px.x, px.y);
+    }
+    const QRegion all = QRegion(corners.toPolygon());
+    return all & all.translated(2, 2) & all.translated(-2, -2) & all.translated(2, -2) &
+           all.translated(-2, 2) & window;
 }
 
 }  // namespace
@@ -38,18 +52,29 @@ void CanvasView::free_graphics() {
     textures_.release();
     picture_.release();
     overlay_.release();
+    drop_textures();
+}
+
+/// They hold nothing of what is to be seen.
+void CanvasView::drop_textures() {
     shown_.reset();
+    if (upload_.active()) upload_.end();
 }
 
 void CanvasView::paintGL() {
     if (!graphics_ready() || wanted_ == nullptr) return;
     const QSize size(static_cast<int>(window_px().x), static_cast<int>(window_px().y));
     if (size != picture_.size()) {
-        picture_.resize(size);
+        picture_.resize(size, ground_colour());
+        moved_from_.reset();
         damage_all();
     }
+    // First: what is damaged afterwards is told as it lies now.
+    const auto from = std::exchange(moved_from_, std::nullopt);
+    if (from && shown_ != nullptr) move_picture(*from, QRect(QPoint(0, 0), size));
     upload_changes();
-    if (shown_ == nullptr) return;
+    // Another canvas takes the place of what was shown when all of it is there.
+    if (shown_ == nullptr) return picture_.copy_to(defaultFramebufferObject());
     double spent_s = 0.0;
     if (plan_.has_damage())
         spent_s = shade_job(plan_.take_damage(QRect(QPoint(0, 0), size), view_.zoom));
@@ -61,39 +86,84 @@ void CanvasView::paintGL() {
     interactions_.draw(overlay());
 }
 
+/// What is there is moved along, where shading all of it anew would hold up the hand.
+void CanvasView::move_picture(const ViewTransform& from, const QRect& window) {
+    if (view_ == from) return;
+    const glm::dvec2 by_px = view_.origin_px - from.origin_px;
+    const bool pans = view_.zoom == from.zoom && view_.angle_deg == from.angle_deg &&
+                      view_.mirrored == from.mirrored && by_px == glm::round(by_px);
+    if (!pans && (plan_.has_damage() || plan_.is_quick(window, view_.zoom)))
+        return plan_.add_damage(window);
+    picture_.move(from, view_, ground_colour());
+    if (pans)
+        plan_.shift({static_cast<int>(by_px.x), static_cast<int>(by_px.y)}, window);
+    else
+        plan_.keep_as_draft(moved_window(from, view_, window), window);
+}
+
+Sight CanvasView::wanted_sight() const {
+    return {wanted_, seen_tracing(), lighting_, viewing_, look_};
+}
+
+/// Unless the textures hold it, or what was asked for before is on its way to them.
+void CanvasView::ask_presenter() {
+    if (wanted_ == nullptr || presenter_.busy() || upload_.active()) return;
+    Sight sight = wanted_sight();
+    if ((shown_ != nullptr && sight == drawn_) || sight == refused_) return;
+    presenter_.make(std::move(sight), shown_ == nullptr);
+}
+
 void CanvasView::upload_changes() {
-    if (shown_ != wanted_ || retrace_) {
-        if (shown_ == nullptr && !prepare_textures()) return;
-        auto seen = tracing_ground_.below(wanted_, seen_tracing(), pool_);
-        if (shown_ == nullptr) outlines_.reset(wanted_->film.shape);
-        const LayerChanges changes = layers_.update(shown_ == nullptr ? nullptr : seen_.get(), *seen,
-                                                    lighting_, pool_, viewing_.to_rgb);
-        textures_.upload_surface(layers_, changes.surface);
-        textures_.upload_colours(changes.colours);
-        outlines_.forget(changes.tiles);
-        shown_ = wanted_;
-        seen_ = std::move(seen);
-        retrace_ = false;
-        if (!relook_) upload_look(changes.tiles);
-        plan_.add_damage(damaged_region(changes));
+    if (auto made = presenter_.take()) begin_upload(std::move(*made));
+    if (upload_.active()) {
+        QRegion cells;
+        const bool whole = upload_.go_on(kUpload_s, textures_, cells);
+        if (shown_ != nullptr) plan_.add_damage(damaged_region(cells));
+        if (whole)
+            finish_upload();
+        else
+            update();
     }
-    if (relight_) upload_shadows();
-    if (relook_) upload_new_look();
-    if (recolour_) {
-        textures_.upload_colours(CanvasLayers::recolour(*seen_, viewing_.to_rgb, pool_));
+    ask_presenter();
+    if (shown_ != nullptr && draws_outlines()) upload_outlines();
+}
+
+/// What is about a canvas, or textures, that are there no more is dropped.
+void CanvasView::begin_upload(Presentation made) {
+    if (!made.fault.empty()) {
+        refused_ = made.sight;
+        throw core::InputError(made.fault);
+    }
+    const film::FilmState& film = made.sight.painting->film;
+    const bool fits = film.shape == wanted_->film.shape && film.cell_mm == wanted_->film.cell_mm;
+    if (!fits || (shown_ == nullptr && !made.begins)) return drop_textures();
+    if (made.begins && !prepare_textures()) return;
+    upload_.begin(std::move(made));
+}
+
+void CanvasView::finish_upload() {
+    const Presentation done = upload_.end();
+    const bool relooked = done.begins || done.sight.look != drawn_.look;
+    if (done.begins)
+        outlines_.reset(done.seen->film.shape);
+    else if (done.recoloured)
         outlines_.forget_all();
-        recolour_ = false;
-        damage_all();
-    }
-    if (draws_outlines()) upload_outlines();
+    else
+        outlines_.forget(done.tiles);
+    shown_ = done.sight.painting;
+    seen_ = done.seen;
+    drawn_ = done.sight;
+    if (relooked) prepare_look();
+    show_heights(done.look, relooked);
+    if (relooked || done.recoloured) damage_all();
 }
 
 bool CanvasView::draws_outlines() const {
-    return has_outlines(look_) && shade::outline_strength(view_.zoom) > 0.0F;
+    return has_outlines(drawn_.look) && shade::outline_strength(view_.zoom) > 0.0F;
 }
 
 void CanvasView::upload_outlines() {
-    textures_.upload_outlines(outlines_.update(*seen_, seen_cells(), viewing_.to_rgb, pool_));
+    textures_.upload_outlines(outlines_.update(*seen_, seen_cells(), drawn_.viewing.to_rgb, pool_));
 }
 
 QRegion CanvasView::outlined_region() const {
@@ -105,16 +175,6 @@ QRegion CanvasView::outlined_region() const {
     return region;
 }
 
-void CanvasView::upload_shadows() {
-    QElapsedTimer timer;
-    timer.start();
-    layers_.relight(*shown_, lighting_, pool_);
-    textures_.upload_surface(layers_, qt_rect(layers_.cells_with_border()));
-    shadows_took_s_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
-    relight_ = false;
-    damage_all();
-}
-
 bool CanvasView::prepare_textures() {
     try {
         textures_.initialise(&gl(), wanted_->film.shape);
@@ -122,26 +182,21 @@ bool CanvasView::prepare_textures() {
         fail(QString::fromUtf8(error.what()));
         return false;
     }
-    relight_ = false;
-    recolour_ = false;
-    relook_ = true;
-    light_rests_.stop();
-    shadows_took_s_ = 0.0;
-    damage_all();
     return true;
 }
 
 /// Where the screen may change: the changed cells and those whose splines reach them.
-QRegion CanvasView::damaged_region(const LayerChanges& changes) const {
+QRegion CanvasView::damaged_region(const QRegion& cells) const {
     QRegion region;
-    for (const QRect& cells : changes.surface)
-        region += damaged_pixels(view_, cells);
+    for (const QRect& part : cells)
+        region += damaged_pixels(view_, part);
     return region;
 }
 
 double CanvasView::shade_job(const ShadingPlan::Job& job) {
-    const Scene scene{&textures_,    shown_->film.cell_mm, view_,           lighting_,        look_,
-                      scale_top_mm_, viewing_.space,       ground_colour(), outlined_region()};
+    const Scene scene{
+        &textures_,    shown_->film.cell_mm, view_,           lighting_,        drawn_.look,
+        scale_top_mm_, drawn_.viewing.space, ground_colour(), outlined_region()};
     double seconds = 0.0;
     for (const QRect& part : job.region)
         seconds += picture_.shade(part, job.quality, scene);

@@ -79,6 +79,19 @@ Rect CanvasLayers::cells_with_border() const {
     return {-kLayerBorder, -kLayerBorder, shape_.width + kLayerBorder, shape_.height + kLayerBorder};
 }
 
+std::vector<SurfacePatch> CanvasLayers::patches(const QRegion& cells) const {
+    std::vector<SurfacePatch> patches;
+    for (const Rect& part : bands(cells)) {
+        SurfacePatch& patch = patches.emplace_back(SurfacePatch{part, {}});
+        patch.texels.reserve(static_cast<std::size_t>(part.width()) * part.height());
+        for (int y = part.y0; y < part.y1; ++y) {
+            const SurfaceTexel* row = surface(part.x0, y);
+            patch.texels.insert(patch.texels.end(), row, row + part.width());
+        }
+    }
+    return patches;
+}
+
 void CanvasLayers::reset(const grid::Shape& shape) {
     shape_ = shape;
     range_ = {};

@@ -23,6 +23,11 @@ struct SurfaceTexel {
     float sky = 1.0F;
 };
 
+struct SurfacePatch {
+    grid::Rect cells;
+    std::vector<SurfaceTexel> texels;  ///< row by row
+};
+
 struct ColourPatch {
     grid::Rect cells;
     std::vector<shade::CellColour> colours;  ///< row by row
@@ -61,6 +66,9 @@ class CanvasLayers {
     const SurfaceTexel* surface(int x, int y) const { return surface_.data() + index(x, y); }
     int stride() const { return shape_.width + 2 * kLayerBorder; }
     grid::Rect cells_with_border() const;
+
+    /// Copies of these cells, in pieces that are quickly put onto a graphics card.
+    std::vector<SurfacePatch> patches(const QRegion& cells) const;
 
   private:
     std::ptrdiff_t index(int x, int y) const {

@@ -26,8 +26,9 @@ constexpr int kTallestLeastWell_px = 360;
 
 void CanvasView::set_view(const ViewTransform& view) {
     if (view == view_) return;
+    if (!moved_from_) moved_from_ = view_;
     view_ = view;
-    damage_all();
+    update();
     Q_EMIT view_changed();
 }
 

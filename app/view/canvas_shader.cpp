@@ -9,6 +9,20 @@ void main() {
 }
 )";
 
+const char* const kMovedFragmentShader = R"(#version 330 core
+uniform sampler2D picture;
+uniform vec2 size_px;
+uniform vec2 origin_px;  // where the corner of this picture was in that
+uniform mat2 per_px;
+uniform vec3 ground;
+out vec4 colour;
+void main() {
+    vec2 px = origin_px + per_px * gl_FragCoord.xy;
+    bool inside = all(greaterThanEqual(px, vec2(0.0))) && all(lessThanEqual(px, size_px));
+    colour = inside ? texture(picture, px / size_px) : vec4(ground, 1.0);
+}
+)";
+
 const char* const kLineVertexShader = R"(#version 330 core
 layout(location = 0) in vec2 place_mm;
 uniform vec2 origin_px;

@@ -22,6 +22,7 @@ bool has_outlines(Look look);
 std::string canvas_fragment_shader(Look look, bool outlined);
 
 /// Lines over the picture, their places in millimetres.
+extern const char* const kMovedFragmentShader;
 extern const char* const kLineVertexShader;
 extern const char* const kLineFragmentShader;
 

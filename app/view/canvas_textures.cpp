@@ -45,47 +45,31 @@ GLuint CanvasTextures::make_texture(GLenum internal_format, GLenum format) {
     return texture;
 }
 
-void CanvasTextures::upload_surface(const CanvasLayers& layers, const QRegion& cells) {
-    gl_->glBindTexture(GL_TEXTURE_2D, surface_);
-    gl_->glPixelStorei(GL_UNPACK_ROW_LENGTH, layers.stride());
-    for (const QRect& part : cells) {
-        gl_->glTexSubImage2D(GL_TEXTURE_2D, 0, part.x() + kLayerBorder, part.y() + kLayerBorder,
-                             part.width(), part.height(), GL_RGB, GL_FLOAT,
-                             layers.surface(part.x(), part.y()));
-    }
-    gl_->glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+void CanvasTextures::put(GLuint texture, const grid::Rect& cells, GLenum format, const void* values) {
+    gl_->glBindTexture(GL_TEXTURE_2D, texture);
+    gl_->glTexSubImage2D(GL_TEXTURE_2D, 0, cells.x0 + kLayerBorder, cells.y0 + kLayerBorder,
+                         cells.width(), cells.height(), format, GL_FLOAT, values);
 }
 
-void CanvasTextures::upload_colours(const std::vector<ColourPatch>& patches) {
-    gl_->glBindTexture(GL_TEXTURE_2D, colour_);
-    for (const ColourPatch& patch : patches) {
-        gl_->glTexSubImage2D(GL_TEXTURE_2D, 0, patch.cells.x0 + kLayerBorder,
-                             patch.cells.y0 + kLayerBorder, patch.cells.width(), patch.cells.height(),
-                             GL_RGBA, GL_FLOAT, patch.colours.data());
-    }
+void CanvasTextures::upload_surface(const SurfacePatch& patch) {
+    put(surface_, patch.cells, GL_RGB, patch.texels.data());
 }
 
-void CanvasTextures::upload_look(const std::vector<LookPatch>& patches) {
+void CanvasTextures::upload_colour(const ColourPatch& patch) {
+    put(colour_, patch.cells, GL_RGBA, patch.colours.data());
+}
+
+void CanvasTextures::upload_look(const LookPatch& patch) {
     if (look_ == 0) look_ = make_texture(GL_R32F, GL_RED);
-    gl_->glBindTexture(GL_TEXTURE_2D, look_);
-    for (const LookPatch& patch : patches) {
-        gl_->glTexSubImage2D(GL_TEXTURE_2D, 0, patch.cells.x0 + kLayerBorder,
-                             patch.cells.y0 + kLayerBorder, patch.cells.width(), patch.cells.height(),
-                             GL_RED, GL_FLOAT, patch.thickness_mm.data());
-    }
+    put(look_, patch.cells, GL_RED, patch.thickness_mm.data());
 }
 
 void CanvasTextures::upload_outlines(const std::vector<OutlinePatch>& patches) {
     if (outline_ == 0) outline_ = make_texture(GL_RGBA32F, GL_RGBA);
     if (dry_ == 0) dry_ = make_texture(GL_RGBA16F, GL_RGBA);
-    const auto put = [this](GLuint texture, const grid::Rect& cells, const void* values) {
-        gl_->glBindTexture(GL_TEXTURE_2D, texture);
-        gl_->glTexSubImage2D(GL_TEXTURE_2D, 0, cells.x0 + kLayerBorder, cells.y0 + kLayerBorder,
-                             cells.width(), cells.height(), GL_RGBA, GL_FLOAT, values);
-    };
     for (const OutlinePatch& patch : patches) {
-        put(outline_, patch.cells, patch.outline.data());
-        put(dry_, patch.cells, patch.dry.data());
+        put(outline_, patch.cells, GL_RGBA, patch.outline.data());
+        put(dry_, patch.cells, GL_RGBA, patch.dry.data());
     }
 }
 

@@ -17,10 +17,10 @@ class CanvasTextures {
     void initialise(QOpenGLExtraFunctions* gl, grid::Shape shape);
     void release();
 
-    void upload_surface(const CanvasLayers& layers, const QRegion& cells);
-    void upload_colours(const std::vector<ColourPatch>& patches);
+    void upload_surface(const SurfacePatch& patch);
+    void upload_colour(const ColourPatch& patch);
     /// What a look shows; the texture for it is made when it is first wanted.
-    void upload_look(const std::vector<LookPatch>& patches);
+    void upload_look(const LookPatch& patch);
     /// What outlines are drawn from; the textures for it are made when they are first wanted.
     void upload_outlines(const std::vector<OutlinePatch>& patches);
     void bind(int surface_unit, int colour_unit, int look_unit);
@@ -31,6 +31,7 @@ class CanvasTextures {
   private:
     void bind_to(int unit, GLuint texture);
     GLuint make_texture(GLenum internal_format, GLenum format);
+    void put(GLuint texture, const grid::Rect& cells, GLenum format, const void* values);
 
     QOpenGLExtraFunctions* gl_ = nullptr;
     grid::Shape shape_;

@@ -11,16 +11,19 @@ namespace {
 /// hand.
 constexpr int kCoolingTime_ms = 60;
 
-/// A lamp that has not been moved for so long may be left where it is.
-constexpr int kLightRests_ms = 120;
-
 /// Of the well's view, unless somebody wants it larger.
 constexpr QSize kWellSize(360, 272);
 
 }  // namespace
 
 CanvasView::CanvasView(document::Surface surface, QWidget* parent)
-    : GraphicsWidget(parent), surface_(surface), legend_(new LookLegend(this)) {
+    : GraphicsWidget(parent),
+      surface_(surface),
+      presenter_([this] {
+          QMetaObject::invokeMethod(
+              this, [this] { update(); }, Qt::QueuedConnection);
+      }),
+      legend_(new LookLegend(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
@@ -33,12 +36,6 @@ CanvasView::CanvasView(document::Surface surface, QWidget* parent)
     cooling_.setInterval(kCoolingTime_ms);
     connect(&cooling_, &QTimer::timeout, this, [this] {
         plan_.let_drafts_cool();
-        update();
-    });
-    light_rests_.setSingleShot(true);
-    light_rests_.setInterval(kLightRests_ms);
-    connect(&light_rests_, &QTimer::timeout, this, [this] {
-        relight_ = true;
         update();
     });
     holding_.setSingleShot(true);
@@ -74,12 +71,13 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
     } else if (other_canvas) {
         fit();
     }
+    ask_presenter();
     update();
 }
 
 /// What was begun over the canvas has no place on this one.
 void CanvasView::begin_other_canvas() {
-    shown_.reset();
+    drop_textures();
     preview_.reset();
     interactions_.cancel();
     damage_all();
@@ -88,20 +86,17 @@ void CanvasView::begin_other_canvas() {
 void CanvasView::set_viewing(const pigment::Viewing& viewing) {
     if (viewing == viewing_) return;
     viewing_ = viewing;
-    recolour_ = true;
     update();
     Q_EMIT viewing_changed();
 }
 
 void CanvasView::show_tracing(bool shown) {
     tracing_shown_ = shown;
-    retrace_ = true;
     update();
 }
 
 void CanvasView::preview_tracing(Tracing tracing) {
     tracing_preview_ = std::move(tracing);
-    retrace_ = true;
     update();
 }
 
@@ -111,8 +106,9 @@ Tracing CanvasView::seen_tracing() const {
 }
 
 bool CanvasView::finished() const {
-    return shown_ == wanted_ && !retrace_ && !relight_ && !light_rests_.isActive() && !recolour_ &&
-           !relook_ && !plan_.has_damage() && !plan_.has_drafts();
+    const bool shows = shown_ != nullptr ? drawn_ == wanted_sight() : wanted_ == nullptr;
+    return shows && !moved_from_ && !presenter_.busy() && !upload_.active() && !plan_.has_damage() &&
+           !plan_.has_drafts();
 }
 
 void CanvasView::damage_all() {

@@ -15,7 +15,7 @@
 #include "view/picture_buffer.hpp"
 #include "view/selection_outline.hpp"
 #include "view/shading_plan.hpp"
-#include "view/tracing_ground.hpp"
+#include "view/texture_upload.hpp"
 
 #include <memory>
 #include <optional>
@@ -149,13 +149,18 @@ class CanvasView : public graphics::GraphicsWidget {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
+    void move_picture(const ViewTransform& from, const QRect& window);
+    Sight wanted_sight() const;
+    void ask_presenter();
     void upload_changes();
-    void upload_shadows();
+    void begin_upload(Presentation made);
+    void finish_upload();
+    void drop_textures();
     bool draws_outlines() const;
     void upload_outlines();
     QRegion outlined_region() const;
-    void upload_look(const std::vector<int>& tiles);
-    void upload_new_look();
+    void prepare_look();
+    void show_heights(const std::vector<LookPatch>& patches, bool begins);
     void place_legend();
     Tracing seen_tracing() const;
     double shade_job(const ShadingPlan::Job& job);
@@ -164,7 +169,7 @@ class CanvasView : public graphics::GraphicsWidget {
     void damage_all();
     void begin_other_canvas();
     bool prepare_textures();
-    QRegion damaged_region(const LayerChanges& changes) const;
+    QRegion damaged_region(const QRegion& cells) const;
 
     Overlay overlay();
     glm::dvec2 canvas_cells() const;
@@ -186,7 +191,8 @@ class CanvasView : public graphics::GraphicsWidget {
 
     document::Surface surface_;
     core::ThreadPool pool_;
-    CanvasLayers layers_;
+    CanvasPresenter presenter_;
+    TextureUpload upload_;
     CanvasOutlines outlines_;
     CanvasTextures textures_;
     PictureBuffer picture_;
@@ -195,26 +201,22 @@ class CanvasView : public graphics::GraphicsWidget {
     QTimer cooling_;
 
     std::shared_ptr<const document::Snapshot> wanted_;
+    Sight drawn_;                   ///< what the textures hold, while there is shown_
+    std::optional<Sight> refused_;  ///< of which no presentation could be made
     std::shared_ptr<const document::Snapshot> shown_;
     std::shared_ptr<const document::Snapshot> seen_;  ///< shown_ with what is traced below it
     ViewTransform view_;
+    std::optional<ViewTransform> moved_from_;  ///< that the picture was shaded from
     bool fitted_ = true;  ///< follows the window's size until the painter zooms or pans
     shade::Lighting lighting_;
-    bool relight_ = false;  ///< the shadows are still those of another light
-    QTimer light_rests_;    ///< when it fires, shadows follow the light
-    double shadows_took_s_ = 0.0;
     Look look_ = Look::Lit;
-    bool relook_ = false;      ///< what it shows is still that of another look
     double highest_mm_ = 0.0;  ///< of the paint, while heights are shown
     double scale_top_mm_ = 1.0;
     LookLegend* legend_;
     pigment::Viewing viewing_;
-    bool recolour_ = false;       ///< the colours are still those of another light
     bool closing_popup_ = false;  ///< the press that closed it does nothing else
-    TracingGround tracing_ground_;
     bool tracing_shown_ = true;
     Tracing tracing_preview_;
-    bool retrace_ = false;  ///< the picture below the paint is still another
 
     InteractionStack interactions_;
     input::EventReader reader_;

@@ -3,12 +3,14 @@
 #include "core/error.hpp"
 #include "view/canvas_shader.hpp"
 #include "view/shading_uniforms.hpp"
+#include "view/uniform_values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include <QElapsedTimer>
+#include <QVector3D>
 
 namespace pastoso::view {
 namespace {
@@ -72,18 +74,58 @@ QOpenGLShaderProgram& PictureBuffer::program_of(const ProgramKind& kind) {
 
 void PictureBuffer::release() {
     programs_.clear();
+    move_program_.reset();
     picture_.reset();
+    spare_.reset();
     coarse_.reset();
     size_ = {};
     if (gl_ != nullptr) gl_->glDeleteVertexArrays(1, &vertex_array_);
     vertex_array_ = 0;
 }
 
-void PictureBuffer::resize(QSize window_px) {
+void PictureBuffer::resize(QSize window_px, const Rgb& ground) {
     if (picture_ != nullptr && window_px == size_) return;
     size_ = window_px;
     picture_ = std::make_unique<QOpenGLFramebufferObject>(size_);
     coarse_ = std::make_unique<QOpenGLFramebufferObject>(coarse_size(size_));
+    spare_.reset();
+    picture_->bind();
+    gl_->glClearColor(ground[0], ground[1], ground[2], 1.0F);
+    gl_->glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void PictureBuffer::move(const ViewTransform& from, const ViewTransform& to, const Rgb& ground) {
+    if (move_program_ == nullptr) {
+        move_program_ = std::make_unique<QOpenGLShaderProgram>();
+        move_program_->addShaderFromSourceCode(QOpenGLShader::Vertex, kCanvasVertexShader);
+        move_program_->addShaderFromSourceCode(QOpenGLShader::Fragment, kMovedFragmentShader);
+        move_program_->link();
+    }
+    if (spare_ == nullptr) spare_ = std::make_unique<QOpenGLFramebufferObject>(size_);
+    const auto was_at = [&](const glm::dvec2& px) {
+        return from.device_from_cell(to.cell_from_device(px));
+    };
+    const glm::dvec2 origin = was_at({0.0, 0.0});
+    const glm::dmat2 per_px{was_at({1.0, 0.0}) - origin, was_at({0.0, 1.0}) - origin};
+    spare_->bind();
+    gl_->glViewport(0, 0, size_.width(), size_.height());
+    gl_->glDisable(GL_BLEND);
+    gl_->glDisable(GL_DEPTH_TEST);
+    gl_->glActiveTexture(GL_TEXTURE0);
+    gl_->glBindTexture(GL_TEXTURE_2D, picture_->texture());
+    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    move_program_->bind();
+    move_program_->setUniformValue("picture", 0);
+    move_program_->setUniformValue("size_px", vector({size_.width(), size_.height()}));
+    move_program_->setUniformValue("origin_px", vector(origin));
+    move_program_->setUniformValue("per_px", matrix(per_px));
+    move_program_->setUniformValue("ground", QVector3D(ground[0], ground[1], ground[2]));
+    gl_->glBindVertexArray(vertex_array_);
+    gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    gl_->glBindVertexArray(0);
+    move_program_->release();
+    std::swap(picture_, spare_);
 }
 
 double PictureBuffer::shade(const QRect& part, Quality quality, const Scene& scene) {

@@ -29,8 +29,12 @@ class PictureBuffer {
     void prepare(Look look);
 
     /// Forgets the picture when the size is another.
-    void resize(QSize window_px);
+    void resize(QSize window_px, const Rgb& ground);
     QSize size() const { return size_; }
+
+    /// Shows what it shows from one place as it is seen from another, as good as that is; the ground
+    /// where nothing of it comes to lie. Exact where it moves by whole pixels.
+    void move(const ViewTransform& from, const ViewTransform& to, const Rgb& ground);
 
     /// Shades a part of the window and returns the seconds it took, the card's work included.
     double shade(const QRect& part, Quality quality, const Scene& scene);
@@ -53,6 +57,8 @@ class PictureBuffer {
     // Both hold the window's top row first.
     std::unique_ptr<QOpenGLFramebufferObject> picture_;
     std::unique_ptr<QOpenGLFramebufferObject> coarse_;
+    std::unique_ptr<QOpenGLFramebufferObject> spare_;  ///< as large as the picture; made when it moves
+    std::unique_ptr<QOpenGLShaderProgram> move_program_;  ///< the same
     GLuint vertex_array_ = 0;
 };
 

@@ -37,6 +37,23 @@ Quality ShadingPlan::affordable_quality(double pixels, double px_per_cell) const
     return too_slow && coarse_is_useful(px_per_cell) ? Quality::Coarse : Quality::Plain;
 }
 
+void ShadingPlan::shift(const QPoint& by, const QRect& window) {
+    for (QRegion* region : {&damage_, &fresh_, &cooling_, &cold_})
+        *region = region->translated(by) & window;
+    damage_ += QRegion(window) - window.translated(by);
+}
+
+void ShadingPlan::keep_as_draft(const QRegion& kept, const QRect& window) {
+    damage_ = QRegion(window) - kept;
+    fresh_ = kept & window;
+    cooling_ = cold_ = QRegion();
+}
+
+bool ShadingPlan::is_quick(const QRect& window, double px_per_cell) const {
+    const double samples = pixel_count(window) * samples_per_pixel(Quality::Plain, px_per_cell);
+    return budget_.expected_s(samples) <= kFullWithin_s;
+}
+
 ShadingPlan::Job ShadingPlan::take_damage(const QRect& window, double px_per_cell) {
     Job job;
     job.region = std::exchange(damage_, QRegion()) & window;

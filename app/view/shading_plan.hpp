@@ -16,6 +16,15 @@ class ShadingPlan {
     /// A part of the window shows something else now.
     void add_damage(const QRegion& region) { damage_ += region; }
 
+    /// The picture has been moved in the window by so many pixels: what comes in is out of date.
+    void shift(const QPoint& by, const QRect& window);
+
+    /// All of the picture is a draft now, and what lies beside `kept` is out of date.
+    void keep_as_draft(const QRegion& kept, const QRect& window);
+
+    /// Whether all of the window can be shaded so quickly that no draft is wanted.
+    bool is_quick(const QRect& window, double px_per_cell) const;
+
     bool has_damage() const { return !damage_.isEmpty(); }
     bool has_drafts() const { return !fresh_.isEmpty() || !cooling_.isEmpty() || !cold_.isEmpty(); }
     bool can_refine() const { return !cold_.isEmpty(); }

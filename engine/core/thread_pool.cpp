@@ -1,6 +1,7 @@
 #include "core/thread_pool.hpp"
 
 #include "core/check.hpp"
+#include "core/thread.hpp"
 #include "core/thread_count.hpp"
 
 #include <exception>
@@ -97,10 +98,12 @@ void ThreadPool::start_workers() {
 }
 
 void ThreadPool::work(int worker) {
+    int nice = 0;
     for (unsigned seen_generation = 0;;) {
         wait_while(generation_, seen_generation);
         seen_generation = generation_.load(std::memory_order_acquire);
         if (stopping_) return;
+        if (nice != nice_) core::lower_priority(nice = nice_);
         if (!enter()) continue;
         take_indices(worker);
         if (workers_inside_.fetch_sub(1, std::memory_order_acq_rel) == (kClosed | 1U))

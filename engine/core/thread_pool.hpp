@@ -19,6 +19,10 @@ class ThreadPool {
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
+    /// From the next run on its threads, which does not mean the caller of run(), give way to others:
+    /// core::lower_priority().
+    void lower_priority(int nice) { nice_ = nice; }
+
     int thread_count() const { return static_cast<int>(workers_.size()) + 1; }
 
     /// Calls body(index, worker) once for every index in [0, count), worker in [0, thread_count()), and
@@ -43,6 +47,7 @@ class ThreadPool {
     std::atomic<unsigned> workers_inside_ =
         kClosed;  ///< of the run under way; kClosed when it takes no more
     std::atomic<bool> stopping_ = false;
+    std::atomic<int> nice_ = 0;
     std::vector<std::thread> workers_;
 };
 

@@ -103,5 +103,39 @@ TEST(ShadingPlan, DamageOutsideTheWindowIsDropped) {
     EXPECT_FALSE(plan.has_damage());
 }
 
+TEST(ShadingPlan, AShiftedPictureIsShadedWhereItComesIn) {
+    ShadingPlan plan;
+    teach(plan, 100e-9);
+    plan.add_damage(QRect(10, 10, 20, 20));
+    plan.shift({30, -40}, kWindow);
+    QRegion wanted = QRegion(kWindow) - kWindow.translated(30, -40);
+    EXPECT_EQ(wanted.boundingRect(), kWindow);
+    const QRegion still = QRegion(QRect(40, -30, 20, 20)) & kWindow;
+    EXPECT_EQ(plan.take_damage(kWindow, kZoom).region, wanted + still);
+}
+
+TEST(ShadingPlan, WhatIsKeptOfAPictureIsADraft) {
+    ShadingPlan plan;
+    teach(plan, 100e-9);
+    const QRegion kept(QRect(100, 100, 500, 400));
+    plan.keep_as_draft(kept, kWindow);
+    const ShadingPlan::Job job = plan.take_damage(kWindow, kZoom);
+    EXPECT_EQ(job.region, QRegion(kWindow) - kept);
+    plan.let_drafts_cool();
+    plan.let_drafts_cool();
+    QRegion refined;
+    while (plan.has_drafts())
+        refined += plan.take_refinement(kZoom).region;
+    EXPECT_EQ(refined, QRegion(kWindow)) << "both have been drafted";
+}
+
+TEST(ShadingPlan, AFastCardMovesNoPicture) {
+    ShadingPlan plan;
+    teach(plan, 1e-9);
+    EXPECT_TRUE(plan.is_quick(kWindow, kZoom));
+    teach(plan, 100e-9);
+    EXPECT_FALSE(plan.is_quick(kWindow, kZoom));
+}
+
 }  // namespace
 }  // namespace pastoso::view

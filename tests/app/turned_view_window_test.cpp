@@ -225,6 +225,62 @@ TEST_F(TurnedView, AnyAngleShowsTheSamePicture) {
     EXPECT_LT(apart, 2.0);
 }
 
+/// What is moved along on the screen, and refined, is what is shaded anew.
+class MovedPicture : public TurnedView {
+  protected:
+    void SetUp() override {
+        TurnedView::SetUp();
+        give(Command::Pause);
+        mouse_stroke(line_mm({10.0, 10.0}, {45.0, 30.0}));
+        picture();
+    }
+    void expect_as_shaded_anew(const char* after) {
+        const QImage moved = picture();
+        canvas().set_lighting(canvas().lighting());
+        const PictureDifference apart = difference(picture(), moved);
+        EXPECT_EQ(apart.largest, 0) << after;
+    }
+};
+
+TEST_F(MovedPicture, IsTheOneShadedAnew) {
+    canvas().pan({37.0, -21.0});
+    expect_as_shaded_anew("a way of whole pixels");
+    canvas().pan({-250.0, 130.0});
+    canvas().pan({3.0, 4.0});
+    expect_as_shaded_anew("two ways in a frame");
+    canvas().pan({0.4, -7.3});
+    expect_as_shaded_anew("a way of parts of pixels");
+    canvas().zoom_about_centre(1.7);
+    expect_as_shaded_anew("zooming in");
+    canvas().zoom_about_centre(0.4);
+    canvas().pan({20.0, 11.0});
+    expect_as_shaded_anew("zooming out, and a way");
+    canvas().turn_about_centre(33.0);
+    expect_as_shaded_anew("turning");
+    canvas().mirror();
+    expect_as_shaded_anew("mirroring");
+}
+
+TEST_F(MovedPicture, PaintThatComesInTheSameFrameLiesWhereItIs) {
+    give(Command::Pause);
+    press({10.0, 35.0});
+    for (int i = 1; i <= 60; ++i) {
+        move({10.0 + 0.6 * i, 35.0 - 0.4 * i});
+        canvas().pan(i % 2 == 0 ? glm::dvec2(120.0, -90.0) : glm::dvec2(-120.0, 90.0));
+        QTest::qWait(5);
+    }
+    release({46.0, 11.0});
+    give(Command::Pause);
+    expect_as_shaded_anew("painting and panning at once");
+}
+
+TEST_F(MovedPicture, PaintThatComesMeanwhileLiesWhereItIs) {
+    canvas().pan({60.0, 0.0});
+    mouse_stroke(line_mm({10.0, 30.0}, {45.0, 12.0}));
+    canvas().pan({-35.0, 18.0});
+    expect_as_shaded_anew("paint between two ways");
+}
+
 class CanvasAlone : public TurnedView {
   protected:
     /// By name: raising a panel changes its place among the window's children.

@@ -7,10 +7,8 @@
 //     LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb xvfb-run -a build/bin/window_benchmark [SECONDS
 //     [WIDTH_PX [EVENTS_PER_S [HISTORY_MIB]]]]
 
-#include "appearance/theme.hpp"
-#include "core/memory.hpp"
+#include "bench/bench_window.hpp"
 #include "document/history.hpp"
-#include "main/main_window.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +23,6 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QPointingDevice>
-#include <QSurfaceFormat>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QWindow>
@@ -108,11 +104,6 @@ void tell_end(main::MainWindow& window, const Painter& painter) {
     std::printf("pen events sent %d, arrived %d\n", painter.sent(), arrived(window));
 }
 
-void use_own_folders(const QTemporaryDir& home) {
-    for (const char* variable : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
-        qputenv(variable, home.path().toLocal8Bit());
-}
-
 /// What the command line asks for.
 struct Load {
     int seconds = 30;
@@ -133,21 +124,12 @@ Load load_of(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    core::keep_freed_memory();  // as the program does
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    QSurfaceFormat::setDefaultFormat(format);
+    bench::prepare();
     QApplication application(argc, argv);
-    appearance::apply_theme(application, appearance::Theme::Dark);
     const Load load = load_of(argc, argv);
-    const QTemporaryDir home;
-    use_own_folders(home);
-
-    main::MainWindow window(document::CanvasSettings{});
-    window.resize(1280, 800);
-    window.show();
-    if (!QTest::qWaitForWindowExposed(&window)) return EXIT_FAILURE;
+    bench::Window shown(document::CanvasSettings{});
+    if (!shown.shown()) return EXIT_FAILURE;
+    main::MainWindow& window = *shown;
     window.studio().easel().set_brush_width(load.width_px /
                                             window.studio().session().canvas().px_per_mm);
     window.studio().session().set_history_budget(load.history_bytes);
