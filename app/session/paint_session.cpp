@@ -37,8 +37,9 @@ std::vector<std::string> known_paints(const document::Recording& past) {
     return names;
 }
 
-/// The paint gives way to the window, and to a graphics driver that is software.
-constexpr int kNice = 10;
+/// The paint gives way to the window, and to a graphics driver that is software; not so much that other
+/// programs bring it to a stand.
+constexpr int kNice = 3;
 
 /// Until the painting's present tick; of a new painting, nothing.
 document::Recording past_of(const document::Painting& painting, document::Recording past) {

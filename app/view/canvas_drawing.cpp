@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include <QElapsedTimer>
 #include <QPolygonF>
 #include <glm/common.hpp>
 
@@ -20,6 +21,12 @@ constexpr double kBusy_s = 0.010;
 
 /// So much of a frame is spent on putting onto the graphics card what has changed.
 constexpr double kUpload_s = 0.008;
+
+/// A frame waits so long for what is being made.
+constexpr std::chrono::microseconds kPatience(4000);
+
+/// So many presentations are made ahead of the frames that show them.
+constexpr std::size_t kMostMade = 2;
 
 Rgb ground_colour() {
     const QColor& ground = appearance::colours().ground;
@@ -58,7 +65,10 @@ void CanvasView::free_graphics() {
 /// They hold nothing of what is to be seen.
 void CanvasView::drop_textures() {
     shown_.reset();
+    asked_.reset();
+    presentations_.clear();
     if (upload_.active()) upload_.end();
+    outdated_ = presenter_.busy();
 }
 
 void CanvasView::paintGL() {
@@ -105,40 +115,51 @@ Sight CanvasView::wanted_sight() const {
     return {wanted_, seen_tracing(), lighting_, viewing_, look_};
 }
 
-/// Unless the textures hold it, or what was asked for before is on its way to them.
+/// The latest is made while what was made before waits for the next frame: it is in that frame, too.
 void CanvasView::ask_presenter() {
-    if (wanted_ == nullptr || presenter_.busy() || upload_.active()) return;
-    Sight sight = wanted_sight();
-    if ((shown_ != nullptr && sight == drawn_) || sight == refused_) return;
-    presenter_.make(std::move(sight), shown_ == nullptr);
+    if (wanted_ == nullptr || presenter_.busy() || presentations_.size() >= kMostMade) return;
+    const Sight sight = wanted_sight();
+    if (sight == asked_ || sight == refused_) return;
+    presenter_.make(sight, !asked_);
+    asked_ = sight;
+}
+
+void CanvasView::take_presentation(std::chrono::microseconds patience) {
+    auto made = presenter_.take(patience);
+    if (!made) return;
+    if (!std::exchange(outdated_, false)) presentations_.push_back(std::move(*made));
+    ask_presenter();
 }
 
 void CanvasView::upload_changes() {
-    if (auto made = presenter_.take()) begin_upload(std::move(*made));
-    if (upload_.active()) {
-        QRegion cells;
-        const bool whole = upload_.go_on(kUpload_s, textures_, cells);
-        if (shown_ != nullptr) plan_.add_damage(damaged_region(cells));
-        if (whole)
-            finish_upload();
-        else
-            update();
-    }
+    QElapsedTimer timer;
+    timer.start();
+    const auto left_s = [&] { return kUpload_s - 1e-9 * static_cast<double>(timer.nsecsElapsed()); };
+    // Of a stroke little has changed, which is there at once and in this frame.
+    if (presentations_.empty()) take_presentation(kPatience);
+    QRegion cells;
+    while (left_s() > 0.0 && (upload_.active() || begin_upload()))
+        if (upload_.go_on(left_s(), textures_, cells)) finish_upload();
+    if (shown_ != nullptr) plan_.add_damage(damaged_region(cells));
+    if (upload_.active() || !presentations_.empty()) update();
+    take_presentation({});
     ask_presenter();
     if (shown_ != nullptr && draws_outlines()) upload_outlines();
 }
 
-/// What is about a canvas, or textures, that are there no more is dropped.
-void CanvasView::begin_upload(Presentation made) {
+/// False when nothing has been made.
+bool CanvasView::begin_upload() {
+    if (presentations_.empty()) return false;
+    Presentation made = std::move(presentations_.front());
+    presentations_.pop_front();
     if (!made.fault.empty()) {
+        drop_textures();
         refused_ = made.sight;
         throw core::InputError(made.fault);
     }
-    const film::FilmState& film = made.sight.painting->film;
-    const bool fits = film.shape == wanted_->film.shape && film.cell_mm == wanted_->film.cell_mm;
-    if (!fits || (shown_ == nullptr && !made.begins)) return drop_textures();
-    if (made.begins && !prepare_textures()) return;
+    if (made.begins && !prepare_textures()) return false;
     upload_.begin(std::move(made));
+    return true;
 }
 
 void CanvasView::finish_upload() {

@@ -24,8 +24,10 @@ void CanvasPresenter::make(Sight sight, bool begins) {
     worker_.add({std::move(sight), begins});
 }
 
-std::optional<Presentation> CanvasPresenter::take() {
-    const std::lock_guard lock(mutex_);
+std::optional<Presentation> CanvasPresenter::take(std::chrono::microseconds patience) {
+    if (!busy_) return std::nullopt;
+    std::unique_lock lock(mutex_);
+    is_made_.wait_for(lock, patience, [this] { return made_presentation_.has_value(); });
     if (made_presentation_) busy_ = false;
     return std::exchange(made_presentation_, std::nullopt);
 }
@@ -35,6 +37,7 @@ void CanvasPresenter::hand_over(Presentation presentation) {
         const std::lock_guard lock(mutex_);
         made_presentation_ = std::move(presentation);
     }
+    is_made_.notify_one();
     ready_();
 }
 

@@ -8,6 +8,8 @@
 #include "view/look_layer.hpp"
 #include "view/tracing_ground.hpp"
 
+#include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -53,8 +55,8 @@ class CanvasPresenter {
     /// Until what was begun has been taken.
     bool busy() const { return busy_; }
 
-    /// The presentation, once it is ready.
-    std::optional<Presentation> take();
+    /// The presentation, once it is ready; of one that is under way, so long is waited for it.
+    std::optional<Presentation> take(std::chrono::microseconds patience);
 
   private:
     struct Job {
@@ -76,6 +78,7 @@ class CanvasPresenter {
     std::optional<Sight> made_;
     std::shared_ptr<const document::Snapshot> made_seen_;
     std::mutex mutex_;
+    std::condition_variable is_made_;
     std::optional<Presentation> made_presentation_;
     core::Worker<Job> worker_;  ///< the last: it ends before what it works with
 };

@@ -107,8 +107,8 @@ Tracing CanvasView::seen_tracing() const {
 
 bool CanvasView::finished() const {
     const bool shows = shown_ != nullptr ? drawn_ == wanted_sight() : wanted_ == nullptr;
-    return shows && !moved_from_ && !presenter_.busy() && !upload_.active() && !plan_.has_damage() &&
-           !plan_.has_drafts();
+    return shows && !moved_from_ && !presenter_.busy() && presentations_.empty() && !upload_.active() &&
+           !plan_.has_damage() && !plan_.has_drafts();
 }
 
 void CanvasView::damage_all() {

@@ -17,6 +17,7 @@
 #include "view/shading_plan.hpp"
 #include "view/texture_upload.hpp"
 
+#include <deque>
 #include <memory>
 #include <optional>
 
@@ -152,8 +153,9 @@ class CanvasView : public graphics::GraphicsWidget {
     void move_picture(const ViewTransform& from, const QRect& window);
     Sight wanted_sight() const;
     void ask_presenter();
+    void take_presentation(std::chrono::microseconds patience);
     void upload_changes();
-    void begin_upload(Presentation made);
+    bool begin_upload();
     void finish_upload();
     void drop_textures();
     bool draws_outlines() const;
@@ -192,6 +194,7 @@ class CanvasView : public graphics::GraphicsWidget {
     document::Surface surface_;
     core::ThreadPool pool_;
     CanvasPresenter presenter_;
+    std::deque<Presentation> presentations_;  ///< made, and not on their way to the textures yet
     TextureUpload upload_;
     CanvasOutlines outlines_;
     CanvasTextures textures_;
@@ -202,6 +205,8 @@ class CanvasView : public graphics::GraphicsWidget {
 
     std::shared_ptr<const document::Snapshot> wanted_;
     Sight drawn_;                   ///< what the textures hold, while there is shown_
+    std::optional<Sight> asked_;    ///< that they will hold when all that was asked for is there
+    bool outdated_ = false;         ///< what is being made is about textures that are no more
     std::optional<Sight> refused_;  ///< of which no presentation could be made
     std::shared_ptr<const document::Snapshot> shown_;
     std::shared_ptr<const document::Snapshot> seen_;  ///< shown_ with what is traced below it
