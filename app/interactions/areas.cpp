@@ -1,5 +1,7 @@
 #include "interactions/areas.hpp"
 
+#include "interactions/event_place.hpp"
+
 #include <QKeyEvent>
 
 namespace pastoso::interactions {
@@ -13,10 +15,6 @@ grid::Combination combination(Qt::KeyboardModifiers modifiers) {
     if (modifiers.testFlag(Qt::AltModifier))
         return shift ? grid::Combination::Intersect : grid::Combination::Subtract;
     return shift ? grid::Combination::Add : grid::Combination::Replace;
-}
-
-glm::dvec2 place_mm(const input::PointerEvent& event) {
-    return {event.pointer.x_mm, event.pointer.y_mm};
 }
 
 }  // namespace

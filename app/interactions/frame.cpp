@@ -1,6 +1,7 @@
 #include "interactions/frame.hpp"
 
 #include "core/units.hpp"
+#include "interactions/event_place.hpp"
 #include "view/frame_device.hpp"
 
 #include <cmath>
@@ -85,10 +86,6 @@ QImage veil_of(QImage picture) {
     return picture;
 }
 
-glm::dvec2 place_of(const input::PointerEvent& event) {
-    return {event.pointer.x_mm, event.pointer.y_mm};
-}
-
 }  // namespace
 
 void Frame::show(std::optional<tools::TransformFrame> frame) {
@@ -114,15 +111,15 @@ tools::FrameHold Frame::hold_at(const glm::dvec2& place_mm) const {
 Took Frame::press(const input::PointerEvent& event) {
     if (!frame_) return Took::Nothing;
     if (event.button != Qt::LeftButton) return Took::Press;
-    under_ = hold_at(place_of(event));
-    drag_ = Drag{*frame_, under_, place_of(event)};
+    under_ = hold_at(place_mm(event));
+    drag_ = Drag{*frame_, under_, place_mm(event)};
     return Took::Pointer;
 }
 
 void Frame::drag(const input::PointerEvent& event) {
     if (!frame_ || !drag_) return;
     const bool constrained = event.modifiers.testFlag(Qt::ShiftModifier);
-    frame_ = tools::dragged(drag_->start, drag_->hold, drag_->from_mm, place_of(event), constrained,
+    frame_ = tools::dragged(drag_->start, drag_->hold, drag_->from_mm, place_mm(event), constrained,
                             canvas_.cell_mm());
     Q_EMIT dragged(*frame_);
 }
@@ -154,7 +151,7 @@ bool Frame::key(const QKeyEvent& event) {
 }
 
 void Frame::hover(const input::PointerEvent& event) {
-    if (frame_) under_ = hold_at(place_of(event));
+    if (frame_) under_ = hold_at(place_mm(event));
 }
 
 std::optional<QCursor> Frame::cursor() const {

@@ -1,6 +1,7 @@
 #include "interactions/guides.hpp"
 
 #include "core/units.hpp"
+#include "interactions/event_place.hpp"
 #include "interactions/guide_lines.hpp"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ using view::Took;
 
 /// So near to a handle a press takes hold of it.
 constexpr double kReach_px = 9.0;
-
-glm::dvec2 place_mm(const input::PointerEvent& event) {
-    return {event.pointer.x_mm, event.pointer.y_mm};
-}
 
 }  // namespace
 

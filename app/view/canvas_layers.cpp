@@ -4,6 +4,7 @@
 #include "grid/bspline.hpp"
 #include "shade/shadow.hpp"
 #include "shade/sky.hpp"
+#include "view/qt_rect.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,6 @@ using grid::Rect;
 
 /// Work is cut into bands of this many rows for the threads.
 constexpr int kBandRows = 32;
-
-QRect qt_rect(const Rect& cells) {
-    return {cells.x0, cells.y0, cells.width(), cells.height()};
-}
 
 Rect cell_rect(const QRect& rect) {
     return {rect.x(), rect.y(), rect.x() + rect.width(), rect.y() + rect.height()};

@@ -3,6 +3,7 @@
 #include "shade/cell_span.hpp"
 #include "shade/outline_layers.hpp"
 #include "view/canvas_layers.hpp"
+#include "view/qt_rect.hpp"
 
 #include <algorithm>
 
@@ -20,10 +21,6 @@ constexpr int kPatch = 8 * kSquare;
 /// Cells from which paint reaches into the layers of another: shares, their gain, the samples that begin
 /// there.
 constexpr int kReach = 8;
-
-QRect qt_rect(const Rect& cells) {
-    return {cells.x0, cells.y0, cells.width(), cells.height()};
-}
 
 Rect with_border(const grid::Shape& shape) {
     return shade::grown(shape.cells(), kLayerBorder);

@@ -1,6 +1,7 @@
 #include "view/canvas_presenter.hpp"
 
 #include "core/check.hpp"
+#include "view/qt_rect.hpp"
 
 #include <numeric>
 #include <utility>
@@ -64,8 +65,7 @@ void CanvasPresenter::add_relief(Presentation& next) {
                                          sight.lighting.elevation_deg == made_->lighting.elevation_deg);
     if (!same_shadows) {
         layers_.relight(*next.seen, sight.lighting, pool_);
-        const grid::Rect all = layers_.cells_with_border();
-        changes.surface = QRegion(all.x0, all.y0, all.width(), all.height());
+        changes.surface = qt_rect(layers_.cells_with_border());
     }
     next.surface = layers_.patches(changes.surface);
     next.tiles = std::move(changes.tiles);

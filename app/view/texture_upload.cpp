@@ -1,16 +1,10 @@
 #include "view/texture_upload.hpp"
 
+#include "view/qt_rect.hpp"
+
 #include <QElapsedTimer>
 
 namespace pastoso::view {
-namespace {
-
-QRect qt_rect(const grid::Rect& cells) {
-    return {cells.x0, cells.y0, cells.width(), cells.height()};
-}
-
-}  // namespace
-
 void TextureUpload::begin(Presentation presentation) {
     presentation_ = std::move(presentation);
     next_ = 0;
