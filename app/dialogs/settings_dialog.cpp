@@ -148,6 +148,13 @@ QWidget* SettingsDialog::make_performance() {
         &tools::Preferences::threads);
     form->addRow(QString(), note(tr("How many things the program works on at once, from the next "
                                     "painting on. The paint flows the same with any number.")));
+    add_choice(form, tr("The canvas is drawn by"), QStringLiteral("drawn_by"),
+               {{tr("What is faster here"), ""},
+                {tr("The graphics card (OpenGL)"), "opengl"},
+                {tr("The processor"), "processor"}},
+               &tools::Preferences::drawn_by);
+    form->addRow(QString(), note(tr("Choose the processor where a graphics driver shows the canvas "
+                                    "wrongly.")));
     form->addRow(QString(), note(tr("How carefully moving paint is shown follows from how fast this "
                                     "machine draws; what stands still is always shown in full.")));
     return page;

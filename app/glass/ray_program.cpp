@@ -1,6 +1,5 @@
 #include "glass/ray_program.hpp"
 
-#include "core/error.hpp"
 #include "glass/ray_shaders.hpp"
 
 #include <cmath>
@@ -30,18 +29,8 @@ QMatrix4x4 matrix(const glm::mat4& m) {
     return result;
 }
 
-std::unique_ptr<QOpenGLShaderProgram> shader_program(const QByteArray& vertex,
-                                                     const QByteArray& fragment) {
-    auto made = std::make_unique<QOpenGLShaderProgram>();
-    if (made->addShaderFromSourceCode(QOpenGLShader::Vertex, vertex) &&
-        made->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) && made->link())
-        return made;
-    throw core::InputError("The graphics driver refuses the program that shows the liquid: " +
-                           made->log().simplified().toStdString());
-}
-
 std::unique_ptr<QOpenGLShaderProgram> ray_program(const QByteArray& words) {
-    return shader_program(kRayVertexShader, QByteArray(kLightShader) + words + kMainShader);
+    return graphics::shader_program(kRayVertexShader, QByteArray(kLightShader) + words + kMainShader);
 }
 
 void set_rays(QOpenGLShaderProgram& program, const GlassCamera& camera, QSize size, int pass) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glass/glass_camera.hpp"
+#include "graphics/graphics_fault.hpp"
 #include "grid/box_field.hpp"
 
 #include <memory>
@@ -22,11 +23,8 @@ enum class Quality { Draft, Full };
 QVector3D vector(const glm::vec3& v);
 QMatrix4x4 matrix(const glm::mat4& m);
 
-/// Throws core::InputError when the driver refuses it.
-std::unique_ptr<QOpenGLShaderProgram> shader_program(const QByteArray& vertex,
-                                                     const QByteArray& fragment);
-
-/// `words` between those that all such programs share (kLightShader, kMainShader).
+/// `words` between those that all such programs share (kLightShader, kMainShader). Throws
+/// graphics::GraphicsFault when the driver refuses it.
 std::unique_ptr<QOpenGLShaderProgram> ray_program(const QByteArray& words);
 
 /// The camera of the `pass`-th picture of several, whose samples lie elsewhere within a pixel.

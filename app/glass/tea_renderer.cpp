@@ -35,8 +35,8 @@ QVector4D ball_around(const liquid::MilkStream& stream, const liquid::Cup& cup) 
 void TeaRenderer::initialise(QOpenGLExtraFunctions* gl) {
     gl_ = gl;
     program_ = ray_program(QByteArray(kCupShader) + kTeaShader);
-    light_program_ =
-        shader_program(kRayVertexShader, QByteArray(kLightShader) + kCupShader + kTeaLightShader);
+    light_program_ = graphics::shader_program(kRayVertexShader,
+                                              QByteArray(kLightShader) + kCupShader + kTeaLightShader);
     gl_->glGenVertexArrays(1, &empty_array_);
     gl_->glGenFramebuffers(1, &light_target_);
     for (FieldTexture& field : fields_) {

@@ -66,7 +66,7 @@ bool Areas::key(const QKeyEvent& event) {
 }
 
 void Areas::draw(const view::Overlay& overlay) {
-    if (drag_.active()) overlay.lines.draw_loop(drag_.outline_mm(), overlay.canvas, 1.0F);
+    if (drag_.active()) overlay.painter.draw_loop(drag_.outline_mm(), overlay.canvas, 1.0F);
 }
 
 }  // namespace pastoso::interactions

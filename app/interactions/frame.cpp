@@ -2,7 +2,6 @@
 
 #include "core/units.hpp"
 #include "interactions/event_place.hpp"
-#include "view/frame_device.hpp"
 
 #include <cmath>
 #include <utility>
@@ -100,7 +99,7 @@ void Frame::show(std::optional<tools::TransformFrame> frame) {
 void Frame::show_picture(const QImage& picture) {
     picture_ = picture;
     veil_ = veil_of(picture);
-    canvas_.update();
+    canvas_.refresh();
 }
 
 tools::FrameHold Frame::hold_at(const glm::dvec2& place_mm) const {
@@ -169,10 +168,10 @@ void Frame::draw(const view::Overlay& overlay) {
     if (!frame_) return;
     constexpr float kFaint = 0.4F;
     draw_picture(overlay);
-    overlay.lines.draw_loop(corners(as_it_was(*frame_)), overlay.canvas, kFaint);
-    overlay.lines.draw_loop(corners(*frame_), overlay.canvas, 1.0F);
+    overlay.painter.draw_loop(corners(as_it_was(*frame_)), overlay.canvas, kFaint);
+    overlay.painter.draw_loop(corners(*frame_), overlay.canvas, 1.0F);
     for (const glm::ivec2& side : tools::kFrameHandles)
-        overlay.lines.draw_loop(
+        overlay.painter.draw_loop(
             square_around(tools::handle_mm(*frame_, side), kHandle_px * overlay.px_mm), overlay.canvas,
             1.0F);
 }
@@ -193,12 +192,13 @@ void Frame::draw_in(const view::Overlay& overlay, const tools::TransformFrame& f
     const QPointF origin = widget_point({-1, -1});
     const QPointF across = (widget_point({1, -1}) - origin) / picture.width();
     const QPointF down = (widget_point({-1, 1}) - origin) / picture.height();
-    view::FrameDevice device(overlay.widget);
-    QPainter painter(&device);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.setOpacity(opacity);
-    painter.setTransform({across.x(), across.y(), down.x(), down.y(), origin.x(), origin.y()});
-    painter.drawImage(QPointF(0.0, 0.0), picture);
+    const QTransform placed(across.x(), across.y(), down.x(), down.y(), origin.x(), origin.y());
+    overlay.painter.draw([&](QPainter& painter) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.setOpacity(opacity);
+        painter.setTransform(placed, true);
+        painter.drawImage(QPointF(0.0, 0.0), picture);
+    });
 }
 
 }  // namespace pastoso::interactions

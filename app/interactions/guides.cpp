@@ -19,7 +19,7 @@ constexpr double kReach_px = 9.0;
 
 void Guides::show_handles(bool shown) {
     handles_shown_ = shown;
-    canvas_.update();
+    canvas_.refresh();
 }
 
 /// How far from its centre a mirror is turned.
@@ -43,8 +43,8 @@ void Guides::drag(const input::PointerEvent& event) {
 
 void Guides::draw(const view::Overlay& overlay) {
     constexpr float kFaint = 0.6F;
-    overlay.lines.draw_segments(guide_lines_mm(easel_.hand(), canvas_.canvas_size_mm()), overlay.canvas,
-                                kFaint);
+    overlay.painter.draw_segments(guide_lines_mm(easel_.hand(), canvas_.canvas_size_mm()),
+                                  overlay.canvas, kFaint);
     if (handles_shown_) draw_handles(overlay);
 }
 
@@ -60,7 +60,7 @@ void Guides::draw_handles(const view::Overlay& overlay) const {
             ring.emplace_back(handle.place_mm +
                               radius_mm * glm::dvec2(std::cos(angle), std::sin(angle)));
         }
-        overlay.lines.draw_loop(ring, overlay.canvas, 1.0F);
+        overlay.painter.draw_loop(ring, overlay.canvas, 1.0F);
     }
 }
 

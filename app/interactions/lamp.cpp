@@ -1,7 +1,5 @@
 #include "interactions/lamp.hpp"
 
-#include "view/frame_device.hpp"
-
 #include <algorithm>
 
 #include <QPainter>
@@ -28,7 +26,7 @@ glm::dvec2 place_of(const input::PointerEvent& event) {
 void Lamp::show(bool shown) {
     shown_ = shown;
     cancel();
-    canvas_.update();
+    canvas_.refresh();
 }
 
 LightDial Lamp::dial() const {
@@ -57,11 +55,13 @@ void Lamp::drag(const input::PointerEvent& event) {
 
 void Lamp::draw(const view::Overlay& overlay) {
     if (!shown_) return;
+    overlay.painter.draw([this](QPainter& painter) { paint(painter); });
+}
+
+void Lamp::paint(QPainter& painter) const {
     const LightDial round = dial();
     const QPointF centre = point(round.centre_px);
     const QPointF lamp = point(light_handle_px(round, canvas_.view_transform(), direction()));
-    view::FrameDevice frame(overlay.widget);
-    QPainter painter(&frame);
     painter.setRenderHint(QPainter::Antialiasing);
     const auto twice = [&](const auto& draw) {
         painter.setPen(QPen(QColor(0, 0, 0, 110), 3.0));

@@ -8,6 +8,8 @@
 
 #include <QObject>
 
+class QPainter;
+
 namespace pastoso::interactions {
 
 class Lamp : public QObject, public view::Interaction {
@@ -28,6 +30,7 @@ class Lamp : public QObject, public view::Interaction {
     void dragged(double elevation_deg, double azimuth_deg);
 
   private:
+    void paint(QPainter& painter) const;
     LightDial dial() const;
     LightDirection direction() const;
 

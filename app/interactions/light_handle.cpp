@@ -18,7 +18,7 @@ constexpr double kMiddle = 1e-3;
 
 }  // namespace
 
-glm::dvec2 light_handle_px(const LightDial& dial, const view::ViewTransform& view,
+glm::dvec2 light_handle_px(const LightDial& dial, const screen::ViewTransform& view,
                            const LightDirection& light) {
     const double azimuth = core::radians(light.azimuth_deg);
     const double share = std::min((90.0 - light.elevation_deg) / kFull_deg, 1.0);
@@ -26,7 +26,7 @@ glm::dvec2 light_handle_px(const LightDial& dial, const view::ViewTransform& vie
            dial.radius_px * share * (view.axes() * glm::dvec2(std::cos(azimuth), -std::sin(azimuth)));
 }
 
-LightDirection light_at(const LightDial& dial, const view::ViewTransform& view,
+LightDirection light_at(const LightDial& dial, const screen::ViewTransform& view,
                         const glm::dvec2& handle_px, const LightDirection& before) {
     const glm::dvec2 way = glm::transpose(view.axes()) * (handle_px - dial.centre_px) / dial.radius_px;
     const double share = std::min(glm::length(way), 1.0);

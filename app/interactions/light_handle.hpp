@@ -1,8 +1,8 @@
 // The lamp over the canvas: a handle on a round dial that lies in the middle of the window.
 #pragma once
 
+#include "screen/view_transform.hpp"
 #include "shade/render.hpp"
-#include "view/view_transform.hpp"
 
 #include <optional>
 
@@ -22,12 +22,12 @@ struct LightDial {
 };
 
 /// Where the handle lies on the screen of a canvas that is seen so.
-glm::dvec2 light_handle_px(const LightDial& dial, const view::ViewTransform& view,
+glm::dvec2 light_handle_px(const LightDial& dial, const screen::ViewTransform& view,
                            const LightDirection& light);
 
 /// The light whose handle lies there, or on the rim towards there. In the very middle the azimuth is
 /// that of `before`.
-LightDirection light_at(const LightDial& dial, const view::ViewTransform& view,
+LightDirection light_at(const LightDial& dial, const screen::ViewTransform& view,
                         const glm::dvec2& handle_px, const LightDirection& before);
 
 }  // namespace pastoso::interactions

@@ -69,7 +69,7 @@ void Navigate::turn(const QPointF& place, bool by_steps) {
     const glm::dvec2 to = canvas_.device_px(place) - centre;
     const double least_px = kNoDirection_px * canvas_.devicePixelRatioF();
     if (glm::length(from) < least_px || glm::length(to) < least_px) return;
-    const view::ViewTransform& start = drag_->start;
+    const screen::ViewTransform& start = drag_->start;
     double angle_deg = start.angle_deg + direction_deg(to) - direction_deg(from);
     if (by_steps) angle_deg = kStep_deg * std::round(angle_deg / kStep_deg);
     canvas_.look_from(turned(start, centre, angle_deg - start.angle_deg));

@@ -29,7 +29,7 @@ class Navigate : public view::Interaction {
     struct Drag {
         enum class Kind { Pan, Turn, Zoom } kind;
         QPointF from;
-        view::ViewTransform start;
+        screen::ViewTransform start;
     };
 
     bool is_meant(const input::PointerEvent& event) const;

@@ -22,7 +22,7 @@ Paint::Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface su
 
 void Paint::set_tool(const brush::Preset& tool) {
     outline_.set_tool(tool);
-    canvas_.update();
+    canvas_.refresh();
 }
 
 /// Control squeezes paint onto the well instead of painting there.
@@ -66,19 +66,19 @@ void Paint::draw(const view::Overlay& overlay) {
     draw_line(overlay, *place_mm);
     brush::PenSample held = easel_.held();
     if (held.pressure == 0.0 && !easel_.painting()) held.pressure = kExpectedPressure;
-    const view::OverlayFrame frame = overlay.around(*place_mm);
-    overlay.lines.draw_loop(outline_.around_mm(held), frame, 1.0F);
+    const screen::OverlayFrame frame = overlay.around(*place_mm);
+    overlay.painter.draw_loop(outline_.around_mm(held), frame, 1.0F);
     const glm::dvec2 handle = handle_px(held.tilt_x_deg, held.tilt_y_deg);
     if (handle == glm::dvec2(0.0)) return;
-    overlay.lines.draw_segments({glm::vec2(0.0F), glm::vec2(overlay.px_mm * handle)}, frame, 0.8F);
+    overlay.painter.draw_segments({glm::vec2(0.0F), glm::vec2(overlay.px_mm * handle)}, frame, 0.8F);
 }
 
 /// The straight line that is being drawn.
 void Paint::draw_line(const view::Overlay& overlay, const glm::dvec2& end_mm) const {
     const std::optional<tools::Pointer> start = easel_.line_start();
     if (!start || surface_ != document::Surface::Canvas) return;
-    overlay.lines.draw_segments({glm::vec2(start->x_mm, start->y_mm), glm::vec2(end_mm)}, overlay.canvas,
-                                1.0F);
+    overlay.painter.draw_segments({glm::vec2(start->x_mm, start->y_mm), glm::vec2(end_mm)},
+                                  overlay.canvas, 1.0F);
 }
 
 }  // namespace pastoso::interactions

@@ -35,6 +35,7 @@ void ask_for_opengl() {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::ResetNotification);
     format.setSwapInterval(1);
     QSurfaceFormat::setDefaultFormat(format);
 }
@@ -84,17 +85,6 @@ void guard_against_crashes() {
     pastoso::crash::guard(folder, pastoso::main::words_of(pastoso::main::machine_facts()).toStdString());
 }
 
-/// As soon as the canvas has its context: one made for a few words alone would cost every start.
-void note_graphics(MainWindow& window) {
-    QObject::connect(
-        &window.studio().canvas(), &QOpenGLWidget::aboutToResize, &window,
-        [&window] {
-            const auto facts = pastoso::main::machine_facts(window.studio().canvas());
-            pastoso::crash::note_facts(pastoso::main::words_of(facts).toStdString());
-        },
-        Qt::SingleShotConnection);
-}
-
 pastoso::document::CanvasSettings first_canvas(double live_px_per_mm) {
     pastoso::document::CanvasSettings canvas;
     canvas.px_per_mm = pastoso::start::sensible_px_per_mm(
@@ -102,8 +92,7 @@ pastoso::document::CanvasSettings first_canvas(double live_px_per_mm) {
     return canvas;
 }
 
-int run(QApplication& application, const Arguments& arguments,
-        const pastoso::main::KeptPreferences& preferences) {
+int run(const Arguments& arguments, const pastoso::main::KeptPreferences& preferences) {
     const double live_px_per_mm = arguments.screenshot ? pastoso::document::CanvasSettings{}.px_per_mm
                                                        : pastoso::main::live_px_per_mm();
     MainWindow window(first_canvas(live_px_per_mm), !arguments.screenshot, preferences);
@@ -111,11 +100,6 @@ int run(QApplication& application, const Arguments& arguments,
     const std::string fault = arguments.file ? window.open_file(*arguments.file) : "";
     if (!fault.empty() && arguments.screenshot) return fail(fault);
     const bool with_page = (!arguments.file || !fault.empty()) && !arguments.profile;
-    QObject::connect(
-        &window.studio().canvas(), &pastoso::view::CanvasView::failed, &application,
-        [](const QString& sentence) { QApplication::exit(fail(sentence.toStdString())); },
-        Qt::QueuedConnection);
-    note_graphics(window);
     window.show();
     if (arguments.screenshot)
         take_screenshot_later(window, arguments);
@@ -140,11 +124,10 @@ int start(int argc, char** argv) {
     QApplication::setApplicationName(QStringLiteral("pastoso"));
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
     QApplication::setApplicationVersion(QStringLiteral(PASTOSO_VERSION));
-    if (const auto problem = pastoso::main::opengl_problem()) return fail(*problem);
     const pastoso::main::KeptPreferences preferences = pastoso::main::kept_preferences();
     use(preferences.values);
     guard_against_crashes();
-    return run(application, arguments, preferences);
+    return run(arguments, preferences);
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ void make_panels(Studio& studio, PanelSet& panels) {
     panels.navigator =
         new panels::NavigatorPanel({action(Command::FitCanvas), action(Command::ActualPixels)},
                                    {action(Command::TurnUpright), action(Command::MirrorView)},
-                                   view::kSmallestZoom, view::kLargestZoom);
+                                   screen::kSmallestZoom, screen::kLargestZoom);
     panels.messages = new panels::MessagePanel;
     panels.messages->follow(studio.messages());
     panels.recorder =

@@ -1,5 +1,6 @@
 #include "main/studio.hpp"
 
+#include "graphics/opengl_support.hpp"
 #include "main/program/application.hpp"
 #include "main/queued_refresh.hpp"
 
@@ -34,6 +35,10 @@ Studio::Studio(QMainWindow& window)
       on_well_(new interactions::OnCanvas(well_, *easel_, document::Surface::Well)) {
     if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))
         connect(application, &Application::failed, this, &Studio::report_refusal, Qt::QueuedConnection);
+    const std::string& problem = graphics::opengl_support().problem;
+    if (!problem.empty()) note_fall_back(QString::fromStdString(problem));
+    for (view::CanvasView* view : views())
+        connect(view, &view::CanvasView::fell_back, this, &Studio::note_fall_back);
     constexpr int kReadingTime_ms = 12000;
     connect(&messages_, &panels::MessageLog::passed, this, [this](const QString& sentence) {
         window_.statusBar()->showMessage(sentence, kReadingTime_ms);
@@ -63,7 +68,7 @@ void Studio::measure(std::shared_ptr<session::FrameTimes> times) {
     times_ = std::move(times);
     session_->measure(times_);
     if (!first) return;
-    connect(canvas_, &QOpenGLWidget::frameSwapped, this,
+    connect(canvas_, &view::CanvasView::frame_came, this,
             [this] { times_->presented(canvas_->shown(), session::FrameTimes::Clock::now()); });
 }
 
@@ -85,6 +90,12 @@ void Studio::catch_up() {
 void Studio::choose_paint(const document::PaintRecipe& paint) {
     easel_->choose_paint(paint);
     show_hand();
+}
+
+void Studio::note_fall_back(const QString& sentence) {
+    messages_.raise(
+        {panels::Matter::Screen,
+         tr("%1 From now on the processor draws the canvas, which is slower.").arg(sentence)});
 }
 
 void Studio::report(const QString& sentence) {

@@ -97,6 +97,8 @@ class Studio : public QObject {
     void hand_changed(const pastoso::tools::Hand& hand);
 
   private:
+    void note_fall_back(const QString& sentence);
+
     QMainWindow& window_;
     panels::MessageLog messages_;
     commands::CommandRegistry commands_;

@@ -52,7 +52,7 @@ void CanvasView::move_pointer(const QPointF& place) {
 void CanvasView::refresh() {
     const QCursor wanted = interactions_.cursor();
     if (!(cursor() == wanted)) setCursor(wanted);
-    update();
+    screen_->refresh();
 }
 
 void CanvasView::mousePressEvent(QMouseEvent* event) {
@@ -86,20 +86,20 @@ bool CanvasView::closes_popup(const QTabletEvent& event) {
 
 void CanvasView::keyPressEvent(QKeyEvent* event) {
     const bool taken = interactions_.key(*event);
-    if (!taken && event->key() != Qt::Key_Escape) return QOpenGLWidget::keyPressEvent(event);
+    if (!taken && event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
     if (!taken) Q_EMIT escaped();
     refresh();
 }
 
 void CanvasView::keyReleaseEvent(QKeyEvent* event) {
-    if (!interactions_.key(*event)) return QOpenGLWidget::keyReleaseEvent(event);
+    if (!interactions_.key(*event)) return QWidget::keyReleaseEvent(event);
     refresh();
 }
 
 void CanvasView::focusOutEvent(QFocusEvent* event) {
     interactions_.keys_lost();
     refresh();
-    QOpenGLWidget::focusOutEvent(event);
+    QWidget::focusOutEvent(event);
 }
 
 void CanvasView::enterEvent(QEnterEvent* event) {
@@ -111,7 +111,7 @@ void CanvasView::enterEvent(QEnterEvent* event) {
 void CanvasView::leaveEvent(QEvent*) {
     pointer_.reset();
     Q_EMIT pointer_left();
-    update();
+    screen_->refresh();
 }
 
 }  // namespace pastoso::view

@@ -1,6 +1,7 @@
 // The part of CanvasView that moves over the canvas, closer to it, around it, and says where its points
 // lie.
 
+#include "screen/window_pixels.hpp"
 #include "view/canvas_view.hpp"
 
 #include <algorithm>
@@ -24,15 +25,14 @@ constexpr int kTallestLeastWell_px = 360;
 
 }  // namespace
 
-void CanvasView::set_view(const ViewTransform& view) {
+void CanvasView::set_view(const screen::ViewTransform& view) {
     if (view == view_) return;
-    if (!moved_from_) moved_from_ = view_;
     view_ = view;
-    update();
+    screen_->refresh();
     Q_EMIT view_changed();
 }
 
-void CanvasView::look_from(const ViewTransform& view) {
+void CanvasView::look_from(const screen::ViewTransform& view) {
     set_view(view);
     fitted_ = wanted_ != nullptr && view_ == fitted_view();
 }
@@ -78,7 +78,7 @@ void CanvasView::show_at_centre(const glm::dvec2& canvas_mm) {
     pan(0.5 * window_px() - place_px);
 }
 
-ViewTransform CanvasView::fitted_view() const {
+screen::ViewTransform CanvasView::fitted_view() const {
     const double margin_px = surface_ == document::Surface::Canvas ? kCanvasMargin_px : kWellMargin_px;
     return fitted(canvas_cells(), window_px(), margin_px, view_);
 }
@@ -91,10 +91,10 @@ void CanvasView::wheelEvent(QWheelEvent* event) {
     refresh();
 }
 
-/// Draws at once, so the canvas is fitted before.
-void CanvasView::resizeEvent(QResizeEvent* event) {
+/// The screen draws at once, so the canvas is fitted before.
+void CanvasView::resizeEvent(QResizeEvent*) {
     if (fitted_) fit();
-    QOpenGLWidget::resizeEvent(event);
+    screen_->widget().resize(size());
     place_legend();
     Q_EMIT view_changed();
     if (surface_ == document::Surface::Well)
@@ -111,7 +111,8 @@ glm::dvec2 CanvasView::device_px(const QPointF& position) const {
 }
 
 glm::dvec2 CanvasView::window_px() const {
-    return {std::round(width() * devicePixelRatioF()), std::round(height() * devicePixelRatioF())};
+    const QSize size = screen::window_px(*this);
+    return {size.width(), size.height()};
 }
 
 glm::dvec2 CanvasView::canvas_cells() const {

@@ -28,10 +28,10 @@ bool CanvasView::event(QEvent* event) {
         case QEvent::TouchCancel:
             return touch(*static_cast<QTouchEvent*>(event));
         case QEvent::PaletteChange:  // another theme has another ground
-            damage_all();
-            return QOpenGLWidget::event(event);
+            screen_->damage_all();
+            return QWidget::event(event);
         default:
-            return QOpenGLWidget::event(event);
+            return QWidget::event(event);
     }
 }
 
@@ -87,10 +87,10 @@ void CanvasView::finger_does(input::Kind kind, const QPointF& place) {
     deliver(reader_.finger(kind, place, touched_ms_, touch_modifiers_));
     if (kind != input::Kind::Release && kind != input::Kind::Cancel) return;
     pointer_.reset();
-    update();
+    screen_->refresh();
 }
 
-void CanvasView::pinch(const Fingers& from_px, const Fingers& to_px) {
+void CanvasView::pinch(const screen::Fingers& from_px, const screen::Fingers& to_px) {
     if (wanted_ == nullptr) return;
     const bool turns = surface_ == document::Surface::Canvas;
     look_from(panned(pinched(view_, from_px, to_px, turns), {0.0, 0.0}, canvas_cells(), window_px()));

@@ -1,5 +1,6 @@
 #include "view/canvas_view.hpp"
 
+#include "screen/window_pixels.hpp"
 #include "view/look_legend.hpp"
 
 #include <utility>
@@ -17,13 +18,7 @@ constexpr QSize kWellSize(360, 272);
 }  // namespace
 
 CanvasView::CanvasView(document::Surface surface, QWidget* parent)
-    : GraphicsWidget(parent),
-      surface_(surface),
-      presenter_([this] {
-          QMetaObject::invokeMethod(
-              this, [this] { update(); }, Qt::QueuedConnection);
-      }),
-      legend_(new LookLegend(this)) {
+    : QWidget(parent), surface_(surface), legend_(new LookLegend(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
@@ -32,20 +27,15 @@ CanvasView::CanvasView(document::Surface surface, QWidget* parent)
     QSizePolicy policy = sizePolicy();
     policy.setHeightForWidth(surface == document::Surface::Well);
     setSizePolicy(policy);
-    cooling_.setSingleShot(true);
-    cooling_.setInterval(kCoolingTime_ms);
-    connect(&cooling_, &QTimer::timeout, this, [this] {
-        plan_.let_drafts_cool();
-        update();
-    });
     holding_.setSingleShot(true);
     holding_.setInterval(input::TouchGestures::kHold_ms);
     connect(&holding_, &QTimer::timeout, this, &CanvasView::hold_finger);
+    put_up(screen::make_screen(drawn_by_, *this, *this));
     refresh();
 }
 
 QSize CanvasView::sizeHint() const {
-    return surface_ == document::Surface::Well ? kWellSize : QOpenGLWidget::sizeHint();
+    return surface_ == document::Surface::Well ? kWellSize : QWidget::sizeHint();
 }
 
 int CanvasView::heightForWidth(int width) const {
@@ -53,8 +43,45 @@ int CanvasView::heightForWidth(int width) const {
     return width * kWellSize.height() / kWellSize.width();
 }
 
-CanvasView::~CanvasView() {
-    release_graphics();
+CanvasView::~CanvasView() = default;
+
+/// Below the legend.
+void CanvasView::put_up(std::unique_ptr<screen::CanvasScreen> screen) {
+    screen_ = std::move(screen);
+    screen_->widget().resize(size());
+    screen_->widget().show();
+    screen_->widget().lower();
+    screen_->refresh();
+}
+
+void CanvasView::set_drawn_by(screen::DrawnBy drawn_by) {
+    if (drawn_by == drawn_by_) return;
+    drawn_by_ = drawn_by;
+    put_up(screen::make_screen(drawn_by_, *this, *this));
+}
+
+/// Not at once: it is drawing. It may fail more than once until then.
+void CanvasView::screen_failed(const QString& sentence) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, sentence] {
+            if (screen_->opengl() == nullptr) return;
+            put_up(screen::make_screen(screen::DrawnBy::Processor, *this, *this));
+            Q_EMIT fell_back(sentence);
+        },
+        Qt::QueuedConnection);
+}
+
+screen::Sight CanvasView::sight() const {
+    return {wanted_, wanted_ == nullptr ? nullptr : seen_tracing(), lighting_, viewing_, look_};
+}
+
+void CanvasView::draw_over(const document::Snapshot& shown, screen::OverlayPainter& painter) {
+    const glm::dmat2 px_from_mm = view_.zoom / shown.film.cell_mm * view_.axes();
+    const Overlay overlay{
+        painter, {view_.device_from_cell({0.0, 0.0}), px_from_mm, screen::window_px(*this)}, px_mm()};
+    if (surface_ == document::Surface::Canvas) draw_selection(shown, overlay);
+    interactions_.draw(overlay);
 }
 
 void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapshot,
@@ -71,49 +98,36 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
     } else if (other_canvas) {
         fit();
     }
-    ask_presenter();
-    update();
+    screen_->refresh();
 }
 
 /// What was begun over the canvas has no place on this one.
 void CanvasView::begin_other_canvas() {
-    drop_textures();
+    screen_->begin_other_canvas();
     preview_.reset();
     interactions_.cancel();
-    damage_all();
 }
 
 void CanvasView::set_viewing(const pigment::Viewing& viewing) {
     if (viewing == viewing_) return;
     viewing_ = viewing;
-    update();
+    screen_->refresh();
     Q_EMIT viewing_changed();
 }
 
 void CanvasView::show_tracing(bool shown) {
     tracing_shown_ = shown;
-    update();
+    screen_->refresh();
 }
 
-void CanvasView::preview_tracing(Tracing tracing) {
+void CanvasView::preview_tracing(screen::Tracing tracing) {
     tracing_preview_ = std::move(tracing);
-    update();
+    screen_->refresh();
 }
 
-Tracing CanvasView::seen_tracing() const {
+screen::Tracing CanvasView::seen_tracing() const {
     if (!tracing_shown_) return nullptr;
     return tracing_preview_ != nullptr ? tracing_preview_ : wanted_->tracing;
-}
-
-bool CanvasView::finished() const {
-    const bool shows = shown_ != nullptr ? drawn_ == wanted_sight() : wanted_ == nullptr;
-    return shows && !moved_from_ && !presenter_.busy() && presentations_.empty() && !upload_.active() &&
-           !plan_.has_damage() && !plan_.has_drafts();
-}
-
-void CanvasView::damage_all() {
-    plan_.add_damage(QRect(0, 0, static_cast<int>(window_px().x), static_cast<int>(window_px().y)));
-    update();
 }
 
 }  // namespace pastoso::view

@@ -2,22 +2,15 @@
 // mouse and fingers to its interactions.
 #pragma once
 
-#include "core/thread_pool.hpp"
 #include "document/painting.hpp"
-#include "graphics/graphics_widget.hpp"
 #include "input/arbiter.hpp"
 #include "input/event_reader.hpp"
 #include "input/touch_gestures.hpp"
 #include "input/wheel_steps.hpp"
+#include "screen/canvas_screen.hpp"
 #include "view/interaction_stack.hpp"
-#include "view/line_overlay.hpp"
-#include "view/look.hpp"
-#include "view/picture_buffer.hpp"
 #include "view/selection_outline.hpp"
-#include "view/shading_plan.hpp"
-#include "view/texture_upload.hpp"
 
-#include <deque>
 #include <memory>
 #include <optional>
 
@@ -29,7 +22,7 @@ namespace pastoso::view {
 
 class LookLegend;
 
-class CanvasView : public graphics::GraphicsWidget {
+class CanvasView : public QWidget, private screen::ScreenHost {
     Q_OBJECT
   public:
     explicit CanvasView(document::Surface surface = document::Surface::Canvas,
@@ -42,12 +35,15 @@ class CanvasView : public graphics::GraphicsWidget {
     void show_snapshot(std::shared_ptr<const document::Snapshot> snapshot,
                        std::optional<glm::dvec2> shift_mm = {});
     void set_lighting(const shade::Lighting& lighting);
-    void set_look(Look look);
-    Look look() const { return look_; }
+    void set_look(screen::Look look);
+    screen::Look look() const { return look_; }
     const LookLegend& legend() const { return *legend_; }
     void set_viewing(const pigment::Viewing& viewing);
     void set_pen(const tools::PenSettings& pen) { reader_.set_pen(pen); }
     const tools::PenSettings& pen() const { return reader_.pen(); }
+
+    /// At first what is fastest here.
+    void set_drawn_by(screen::DrawnBy drawn_by);
 
     /// Presses are offered to this one after those that are there.
     void add(Interaction& interaction) { interactions_.add(interaction); }
@@ -63,17 +59,17 @@ class CanvasView : public graphics::GraphicsWidget {
     void show_tracing(bool shown);
 
     /// Shows this one in place of the painting's own, until that becomes another.
-    void preview_tracing(Tracing tracing);
+    void preview_tracing(screen::Tracing tracing);
 
     /// Outlines what would be selected in place of what is.
     void preview_selection(std::optional<document::Selection> preview);
 
     const shade::Lighting& lighting() const { return lighting_; }
     const pigment::Viewing& viewing() const { return viewing_; }
-    const ViewTransform& view_transform() const { return view_; }
-    void set_view(const ViewTransform& view);
+    const screen::ViewTransform& view_transform() const override { return view_; }
+    void set_view(const screen::ViewTransform& view);
     /// By the painter's hand: the canvas is not fitted any more, unless it comes to lie as if it were.
-    void look_from(const ViewTransform& view);
+    void look_from(const screen::ViewTransform& view);
     void pan(const glm::dvec2& drag_px);  ///< so that some of the canvas stays in the window
     void fit();
     void show_actual_pixels();  ///< zoom 1 about the window's centre
@@ -90,10 +86,16 @@ class CanvasView : public graphics::GraphicsWidget {
     void keep_in_place(const QPoint& way);
 
     /// Whether the frame on the screen is the final one of the latest snapshot.
-    bool finished() const;
+    bool finished() const { return screen_->finished(); }
 
     /// What the latest frame showed; null before the first.
-    const document::Snapshot* shown() const { return shown_.get(); }
+    const document::Snapshot* shown() const { return screen_->shown(); }
+
+    /// The frame of now.
+    QImage picture() { return screen_->picture(); }
+
+    /// The one that draws; null where the processor does.
+    QOpenGLWidget* opengl() { return screen_->opengl(); }
 
     /// Where the pointer is above the view, in millimetres; none when it is elsewhere.
     std::optional<glm::dvec2> pointer_mm() const;
@@ -113,6 +115,11 @@ class CanvasView : public graphics::GraphicsWidget {
     int heightForWidth(int width) const override;
 
   Q_SIGNALS:
+    /// A frame has come to the screen.
+    void frame_came();
+    /// OpenGL has failed, in one sentence, and from now on the processor draws.
+    void fell_back(const QString& sentence);
+
     void view_changed();  ///< the window's size, too
     void viewing_changed();
     void lighting_changed();
@@ -133,9 +140,6 @@ class CanvasView : public graphics::GraphicsWidget {
     void escaped();
 
   protected:
-    void make_graphics() override;
-    void free_graphics() override;
-    void paintGL() override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -150,33 +154,19 @@ class CanvasView : public graphics::GraphicsWidget {
     void focusOutEvent(QFocusEvent* event) override;
 
   private:
-    void move_picture(const ViewTransform& from, const QRect& window);
-    Sight wanted_sight() const;
-    void ask_presenter();
-    void take_presentation(std::chrono::microseconds patience);
-    void upload_changes();
-    bool begin_upload();
-    void finish_upload();
-    void drop_textures();
-    bool draws_outlines() const;
-    void upload_outlines();
-    QRegion outlined_region() const;
-    void prepare_look();
-    void show_heights(const std::vector<LookPatch>& patches, bool begins);
-    void place_legend();
-    Tracing seen_tracing() const;
-    double shade_job(const ShadingPlan::Job& job);
-    void draw_selection();
-    OverlayFrame overlay_frame(const glm::dvec2& origin_px) const;
-    void damage_all();
-    void begin_other_canvas();
-    bool prepare_textures();
-    QRegion damaged_region(const QRegion& cells) const;
+    screen::Sight sight() const override;
+    void draw_over(const document::Snapshot& shown, screen::OverlayPainter& painter) override;
+    void scale_shown(double top_mm) override;
+    void frame_shown() override { Q_EMIT frame_came(); }
+    void screen_failed(const QString& sentence) override;
 
-    Overlay overlay();
+    void put_up(std::unique_ptr<screen::CanvasScreen> screen);
+    void place_legend();
+    screen::Tracing seen_tracing() const;
+    void draw_selection(const document::Snapshot& shown, const Overlay& overlay);
+    void begin_other_canvas();
     glm::dvec2 canvas_cells() const;
-    grid::Rect seen_cells() const;
-    ViewTransform fitted_view() const;
+    screen::ViewTransform fitted_view() const;
     void grow_with_width();  ///< the well, in its panel
 
     input::PointerEvent over_canvas(input::PointerEvent event) const;
@@ -186,42 +176,25 @@ class CanvasView : public graphics::GraphicsWidget {
     bool closes_popup(const QTabletEvent& event);
     bool touch(QTouchEvent& event);
     void follow(const std::vector<input::TouchStep>& steps);
-    void pinch(const Fingers& from_px, const Fingers& to_px);
+    void pinch(const screen::Fingers& from_px, const screen::Fingers& to_px);
     void finger_does(input::Kind kind, const QPointF& place);
     void drop_fingers();
     void hold_finger();
 
     document::Surface surface_;
-    core::ThreadPool pool_;
-    CanvasPresenter presenter_;
-    std::deque<Presentation> presentations_;  ///< made, and not on their way to the textures yet
-    TextureUpload upload_;
-    CanvasOutlines outlines_;
-    CanvasTextures textures_;
-    PictureBuffer picture_;
-    LineOverlay overlay_;
-    ShadingPlan plan_;
-    QTimer cooling_;
-
+    screen::DrawnBy drawn_by_ = screen::DrawnBy::Fastest;
+    std::unique_ptr<screen::CanvasScreen> screen_;
     std::shared_ptr<const document::Snapshot> wanted_;
-    Sight drawn_;                   ///< what the textures hold, while there is shown_
-    std::optional<Sight> asked_;    ///< that they will hold when all that was asked for is there
-    bool outdated_ = false;         ///< what is being made is about textures that are no more
-    std::optional<Sight> refused_;  ///< of which no presentation could be made
-    std::shared_ptr<const document::Snapshot> shown_;
-    std::shared_ptr<const document::Snapshot> seen_;  ///< shown_ with what is traced below it
-    ViewTransform view_;
-    std::optional<ViewTransform> moved_from_;  ///< that the picture was shaded from
+    screen::ViewTransform view_;
     bool fitted_ = true;  ///< follows the window's size until the painter zooms or pans
     shade::Lighting lighting_;
-    Look look_ = Look::Lit;
-    double highest_mm_ = 0.0;  ///< of the paint, while heights are shown
+    screen::Look look_ = screen::Look::Lit;
     double scale_top_mm_ = 1.0;
     LookLegend* legend_;
     pigment::Viewing viewing_;
     bool closing_popup_ = false;  ///< the press that closed it does nothing else
     bool tracing_shown_ = true;
-    Tracing tracing_preview_;
+    screen::Tracing tracing_preview_;
 
     InteractionStack interactions_;
     input::EventReader reader_;

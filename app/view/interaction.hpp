@@ -2,26 +2,24 @@
 #pragma once
 
 #include "input/pointer_event.hpp"
-#include "view/line_overlay.hpp"
+#include "screen/overlay_painter.hpp"
 
 #include <optional>
 
 #include <QCursor>
 
 class QKeyEvent;
-class QOpenGLWidget;
 
 namespace pastoso::view {
 
-/// What is drawn over the picture. The frame's framebuffer is bound.
+/// What is drawn over the picture.
 struct Overlay {
-    LineOverlay& lines;
-    const QOpenGLWidget& widget;  ///< for a FrameDevice
-    OverlayFrame canvas;          ///< its millimetres
+    screen::OverlayPainter& painter;
+    screen::OverlayFrame canvas;  ///< its millimetres
     double px_mm = 0.0;           ///< a pixel of the layout
 
     /// Millimetres from a place on the canvas.
-    OverlayFrame around(const glm::dvec2& place_mm) const;
+    screen::OverlayFrame around(const glm::dvec2& place_mm) const;
 };
 
 /// What came of a press that was offered: nothing; all there was to do is done; or the pointer belongs

@@ -5,8 +5,8 @@
 
 namespace pastoso::view {
 
-OverlayFrame Overlay::around(const glm::dvec2& place_mm) const {
-    OverlayFrame frame = canvas;
+screen::OverlayFrame Overlay::around(const glm::dvec2& place_mm) const {
+    screen::OverlayFrame frame = canvas;
     frame.origin_px += canvas.px_from_mm * place_mm;
     return frame;
 }

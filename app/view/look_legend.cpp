@@ -12,37 +12,37 @@ namespace {
 
 constexpr int kMargin = 10, kGap = 8, kBarWidth = 220, kBarHeight = 12;
 
-QColor colour(const Rgb& rgb) {
+QColor colour(const screen::Rgb& rgb) {
     return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
 }
 
 /// Of the marks below the bar, the first at its left end, the last at its right.
-QStringList marks(Look look, double scale_top_mm) {
+QStringList marks(screen::Look look, double scale_top_mm) {
     const auto mm = [](double value) { return QString::number(value, 'g', 3); };
-    if (look == Look::Wet) return {mm(0.01), mm(0.1), mm(1.0)};
-    if (look == Look::Height)
+    if (look == screen::Look::Wet) return {mm(0.01), mm(0.1), mm(1.0)};
+    if (look == screen::Look::Height)
         return {QStringLiteral("0"), mm(0.5 * scale_top_mm), LookLegend::tr("%1 mm").arg(scale_top_mm)};
     return {};
 }
 
 /// Of the thickness on the scale of the tint, 0 to 1.
 double wet_place(double wet_mm) {
-    return wet_tint(wet_mm) / kFullTint;
+    return screen::wet_tint(wet_mm) / screen::kFullTint;
 }
 
 }  // namespace
 
-QString look_words(Look look) {
+QString look_words(screen::Look look) {
     switch (look) {
-        case Look::Lit:
+        case screen::Look::Lit:
             return {};
-        case Look::Wet:
+        case screen::Look::Wet:
             return LookLegend::tr("Wet paint");
-        case Look::Height:
+        case screen::Look::Height:
             return LookLegend::tr("Height of the paint");
-        case Look::Normals:
+        case screen::Look::Normals:
             return LookLegend::tr("Slopes of the surface");
-        case Look::Flat:
+        case screen::Look::Flat:
             return LookLegend::tr("Flat colour");
     }
     return {};
@@ -54,10 +54,10 @@ LookLegend::LookLegend(QWidget* parent) : QWidget(parent) {
     hide();
 }
 
-void LookLegend::show_look(Look look, double scale_top_mm) {
+void LookLegend::show_look(screen::Look look, double scale_top_mm) {
     look_ = look;
     lines_ = QStringList(look_words(look)) + marks(look, scale_top_mm);
-    setVisible(look != Look::Lit);
+    setVisible(look != screen::Look::Lit);
     const bool has_bar = lines_.size() > 1;
     const int line = fontMetrics().height();
     const int width = has_bar ? kBarWidth : fontMetrics().horizontalAdvance(lines_.front());
@@ -79,15 +79,15 @@ void LookLegend::paintEvent(QPaintEvent*) {
     painter.drawText(QRect(kMargin, kMargin, width() - 2 * kMargin, line), Qt::AlignLeft,
                      lines_.front());
     const QRect bar(kMargin, kMargin + line + kGap, kBarWidth, kBarHeight);
-    if (look_ == Look::Height) paint_heights(painter, bar);
-    if (look_ == Look::Wet) paint_wetness(painter, bar);
+    if (look_ == screen::Look::Height) paint_heights(painter, bar);
+    if (look_ == screen::Look::Wet) paint_wetness(painter, bar);
 }
 
 void LookLegend::paint_heights(QPainter& painter, const QRect& bar) const {
-    for (int step = 0; step < kHeightSteps; ++step)
-        painter.fillRect(QRectF(bar.x() + bar.width() * step / double(kHeightSteps), bar.y(),
-                                bar.width() / double(kHeightSteps), bar.height()),
-                         colour(kHeightColours[step]));
+    for (int step = 0; step < screen::kHeightSteps; ++step)
+        painter.fillRect(QRectF(bar.x() + bar.width() * step / double(screen::kHeightSteps), bar.y(),
+                                bar.width() / double(screen::kHeightSteps), bar.height()),
+                         colour(screen::kHeightColours[step]));
     const QRect below(bar.x(), bar.bottom() + 3, bar.width(), fontMetrics().height());
     painter.drawText(below, Qt::AlignLeft, lines_[1]);
     painter.drawText(below, Qt::AlignHCenter, lines_[2]);
@@ -96,7 +96,7 @@ void LookLegend::paint_heights(QPainter& painter, const QRect& bar) const {
 
 void LookLegend::paint_wetness(QPainter& painter, const QRect& bar) const {
     QLinearGradient tint(bar.topLeft(), bar.topRight());
-    QColor dry(Qt::gray), wet = colour(kWetTint);
+    QColor dry(Qt::gray), wet = colour(screen::kWetTint);
     tint.setColorAt(0.0, dry);
     tint.setColorAt(1.0, wet);
     painter.fillRect(bar, tint);

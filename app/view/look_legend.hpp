@@ -1,14 +1,14 @@
 // What the colours of a look mean, in a corner of the canvas.
 #pragma once
 
-#include "view/look.hpp"
+#include "screen/look.hpp"
 
 #include <QWidget>
 
 namespace pastoso::view {
 
-/// The words for a look; none for Look::Lit.
-QString look_words(Look look);
+/// The words for a look; none for screen::Look::Lit.
+QString look_words(screen::Look look);
 
 /// Hidden while the paint is lit. Lets the pointer through.
 class LookLegend : public QWidget {
@@ -16,7 +16,7 @@ class LookLegend : public QWidget {
   public:
     explicit LookLegend(QWidget* parent);
 
-    void show_look(Look look, double scale_top_mm);
+    void show_look(screen::Look look, double scale_top_mm);
 
     /// What it tells, line by line: the look, then the marks of its scale.
     const QStringList& lines() const { return lines_; }
@@ -28,7 +28,7 @@ class LookLegend : public QWidget {
     void paint_heights(QPainter& painter, const QRect& bar) const;
     void paint_wetness(QPainter& painter, const QRect& bar) const;
 
-    Look look_ = Look::Lit;
+    screen::Look look_ = screen::Look::Lit;
     QStringList lines_;
 };
 

@@ -22,14 +22,14 @@ double tilt_deg(double slope) {
 }
 
 /// The direction on the canvas of one on the screen.
-double canvas_direction_deg(const ViewTransform& view, double screen_deg) {
+double canvas_direction_deg(const screen::ViewTransform& view, double screen_deg) {
     const double turned_back = screen_deg - view.angle_deg;
     return std::remainder(view.mirrored ? 180.0 - turned_back : turned_back, 360.0);
 }
 
 }  // namespace
 
-tools::Pointer against_canvas(const ViewTransform& view, tools::Pointer pointer) {
+tools::Pointer against_canvas(const screen::ViewTransform& view, tools::Pointer pointer) {
     if (view.angle_deg == 0.0 && !view.mirrored) return pointer;
     // The axis of the pen is (tan tilt_x, tan tilt_y, 1).
     const glm::dvec2 lean =

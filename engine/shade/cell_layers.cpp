@@ -1,5 +1,6 @@
 #include "shade/cell_layers.hpp"
 
+#include "core/check.hpp"
 #include "shade/shadow.hpp"
 #include "shade/sky.hpp"
 
@@ -45,20 +46,45 @@ LayerRows CellLayers::rows_from(int first_row) const {
     return rows;
 }
 
-CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
-                       const grid::Rect& cells, const Lighting& lighting, const HeightRange& range,
-                       core::ThreadPool& pool, const pigment::BandsToRgb& to_rgb) {
-    CellLayers layers;
-    layers.cells = cells;
+CellLayers::CellLayers(const Rect& rectangle) : cells(rectangle) {
     const std::size_t count = static_cast<std::size_t>(cells.width()) * cells.height();
-    layers.height_mm.resize(count);
-    layers.shadow_mm.resize(count);
-    layers.sky.resize(count);
-    layers.colour.resize(count);
-    const std::vector<Rect> bands = bands_of(cells);
+    height_mm.resize(count);
+    shadow_mm.resize(count);
+    sky.resize(count);
+    colour.resize(count);
+}
+
+void fill_layers(const film::FilmState& film, const pigment::Bands& ground,
+                 const std::vector<Rect>& parts, const Lighting& lighting, const HeightRange& range,
+                 core::ThreadPool& pool, const pigment::BandsToRgb& to_rgb, CellLayers& layers) {
+    std::vector<Rect> bands;
+    for (const Rect& part : parts) {
+        const std::vector<Rect> of_part = bands_of(part);
+        bands.insert(bands.end(), of_part.begin(), of_part.end());
+    }
     pool.run(bands.size(), [&](std::size_t index, int) {
         fill_band(film, ground, bands[index], to_rgb, lighting, range, layers);
     });
+}
+
+CellLayers part_of(const CellLayers& layers, const Rect& cells) {
+    PASTOSO_CHECK(grid::intersection(layers.cells, cells) == cells);
+    CellLayers part(cells);
+    for (int y = cells.y0; y < cells.y1; ++y) {
+        const std::ptrdiff_t from = layers.index(cells.x0, y), to = part.index(cells.x0, y);
+        std::copy_n(layers.height_mm.begin() + from, cells.width(), part.height_mm.begin() + to);
+        std::copy_n(layers.shadow_mm.begin() + from, cells.width(), part.shadow_mm.begin() + to);
+        std::copy_n(layers.sky.begin() + from, cells.width(), part.sky.begin() + to);
+        std::copy_n(layers.colour.begin() + from, cells.width(), part.colour.begin() + to);
+    }
+    return part;
+}
+
+CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,
+                       const grid::Rect& cells, const Lighting& lighting, const HeightRange& range,
+                       core::ThreadPool& pool, const pigment::BandsToRgb& to_rgb) {
+    CellLayers layers(cells);
+    fill_layers(film, ground, {cells}, lighting, range, pool, to_rgb, layers);
     return layers;
 }
 

@@ -13,6 +13,9 @@ namespace pastoso::shade {
 
 /// Values of the cells of a rectangle, row by row.
 struct CellLayers {
+    CellLayers() = default;
+    explicit CellLayers(const grid::Rect& cells);
+
     grid::Rect cells;
     std::vector<float> height_mm;  ///< B-spline coefficients, surface.hpp
     std::vector<float> shadow_mm;  ///< shadow.hpp
@@ -30,6 +33,18 @@ struct CellLayers {
 
 /// Stretches of rows that together make up the rectangle, for the threads.
 std::vector<grid::Rect> bands_of(const grid::Rect& cells);
+
+/// Beyond the canvas a picture of it may need the layers of so many cells.
+inline constexpr int kLayersAround = 8;
+
+/// Makes these parts of the layers anew. `range` is that of the whole canvas.
+void fill_layers(const film::FilmState& film, const pigment::Bands& ground,
+                 const std::vector<grid::Rect>& parts, const Lighting& lighting,
+                 const HeightRange& range, core::ThreadPool& pool, const pigment::BandsToRgb& to_rgb,
+                 CellLayers& layers);
+
+/// The layers of some of their cells.
+CellLayers part_of(const CellLayers& layers, const grid::Rect& cells);
 
 /// `range` is that of the whole canvas.
 CellLayers cell_layers(const film::FilmState& film, const pigment::Bands& ground,

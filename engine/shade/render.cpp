@@ -66,15 +66,17 @@ int block_side(double scale) {
     return std::clamp(static_cast<int>(kBlock_cells * scale), 1, kBlock_px);
 }
 
-Frame frame_of(const Lattice& lattice, const Rect& pixels) {
+Frame frame_of(const Lattice& lattice, const Rect& pixels, int most_samples) {
     const double finest = std::min(lattice.scale_x, lattice.scale_y);
-    const int samples = std::max(1, static_cast<int>(std::ceil(1.0 / (finest * kSampleSpacing_cells))));
+    const int samples =
+        std::clamp(static_cast<int>(std::ceil(1.0 / (finest * kSampleSpacing_cells))), 1, most_samples);
     return {lattice, pixels, samples, block_side(lattice.scale_x), block_side(lattice.scale_y)};
 }
 
-OutlineSampling outline_sampling(const Frame& frame, float cell_mm) {
+OutlineSampling outline_sampling(const Frame& frame, float cell_mm, bool outlined) {
     const double scale = std::min(frame.lattice.scale_x, frame.lattice.scale_y);
-    return {cell_mm, static_cast<float>(1.0 / (scale * frame.samples)), outline_strength(scale)};
+    return {cell_mm, static_cast<float>(1.0 / (scale * frame.samples)),
+            outlined ? outline_strength(scale) : 0.0F};
 }
 
 /// The cells below some pixels.
@@ -189,21 +191,21 @@ Lattice picture_lattice(const grid::Shape& canvas, const Rect& cells, double sca
 Renderer::Renderer(const film::FilmState& film, const pigment::Bands& ground, const Lattice& lattice,
                    const RenderSettings& settings, core::ThreadPool& pool)
     : film_(film), ground_(ground), lattice_(lattice), settings_(settings), pool_(pool) {
-    const HeightRange range = surface_range(film);
-    lowest_mm_ = range.lowest_mm;
-    highest_mm_ = range.highest_mm;
+    if (settings.layers == nullptr) range_ = surface_range(film);
 }
 
 void Renderer::render(const Rect& pixels, pigment::LinearImage* lit, SurfaceSamples* surface) const {
     PASTOSO_CHECK(!pixels.empty());
     PASTOSO_CHECK(grid::intersection(pixels, {0, 0, lattice_.width, lattice_.height}) == pixels);
     const ShadingConstants light = shading_constants(settings_.lighting, film_.cell_mm);
-    const Frame frame = frame_of(lattice_, pixels);
-    const OutlineSampling sampling = outline_sampling(frame, static_cast<float>(film_.cell_mm));
+    const Frame frame = frame_of(lattice_, pixels, settings_.most_samples);
+    const OutlineSampling sampling =
+        outline_sampling(frame, static_cast<float>(film_.cell_mm), settings_.outlined);
     Canvas canvas;
-    canvas.layers =
-        cell_layers(film_, ground_, grown(cells_below(lattice_, pixels), kMargin), settings_.lighting,
-                    {lowest_mm_, highest_mm_}, pool_, settings_.viewing.to_rgb);
+    const Rect cells = grown(cells_below(lattice_, pixels), kMargin);
+    canvas.layers = settings_.layers != nullptr ? part_of(*settings_.layers, cells)
+                                                : cell_layers(film_, ground_, cells, settings_.lighting,
+                                                              range_, pool_, settings_.viewing.to_rgb);
     if (sampling.strength > 0.0F)
         canvas.outline = outline_layers(film_, ground_, canvas.layers, pool_, settings_.viewing.to_rgb);
     const std::size_t count = static_cast<std::size_t>(pixels.width()) * pixels.height();

@@ -6,7 +6,9 @@
 #include "film/state.hpp"
 #include "pigment/image.hpp"
 #include "pigment/viewing.hpp"
+#include "shade/surface.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace pastoso::shade {
@@ -23,10 +25,17 @@ struct Lighting {
     friend bool operator==(const Lighting&, const Lighting&) = default;
 };
 
+struct CellLayers;
+
 struct RenderSettings {
     double scale = 1.0;  ///< pixels per cell; the surface is interpolated, never the pixels
     Lighting lighting;
     pigment::Viewing viewing;  ///< the light's spectrum, and the space of the picture
+    bool outlined = true;      ///< edges of paint are sharp where the picture is enlarged
+    int most_samples = std::numeric_limits<int>::max();  ///< along a side of a pixel, at least 1
+    /// Of the canvas and kLayersAround cells beyond it (cell_layers.hpp), where they are at hand; they
+    /// outlive the renderer.
+    const CellLayers* layers = nullptr;
 };
 
 /// Renders a region of the canvas, given in cells. The same bits on any number of threads.
@@ -78,7 +87,7 @@ class Renderer {
     Lattice lattice_;
     RenderSettings settings_;
     core::ThreadPool& pool_;
-    float lowest_mm_, highest_mm_;  ///< of the whole canvas
+    HeightRange range_;  ///< of the whole canvas, where layers are made
 };
 
 }  // namespace pastoso::shade

@@ -7,6 +7,11 @@
 #include <vector>
 
 namespace pastoso::shade {
+
+HeightRange united(const HeightRange& a, const HeightRange& b) {
+    return {std::min(a.lowest_mm, b.lowest_mm), std::max(a.highest_mm, b.highest_mm)};
+}
+
 namespace {
 
 using grid::kPrefilterReach;
@@ -77,18 +82,22 @@ void add_paint(const film::FilmState& film, const Rect& cells, Means& means, flo
     }
 }
 
-/// The least and the greatest of what fill(film, cells, out, stride) gives for the tiles.
+/// The least and the greatest of what fill(film, cells, out, stride) gives for a tile.
+template <class Fill>
+HeightRange range_of_tile(const film::FilmState& film, int tile, const Fill& fill) {
+    float values[grid::kTileCells];
+    const Rect cells = film.shape.tile_cells(tile);
+    fill(film, cells, values, cells.width());
+    const auto [low, high] = std::minmax_element(values, values + cells.width() * cells.height());
+    return {*low, *high};
+}
+
+/// The same for all tiles.
 template <class Fill>
 HeightRange range_of(const film::FilmState& film, const Fill& fill) {
     HeightRange range{film.support_mm.at(0, 0), film.support_mm.at(0, 0)};
-    for (int tile = 0; tile < film.shape.tile_count(); ++tile) {
-        float values[grid::kTileCells];
-        const Rect cells = film.shape.tile_cells(tile);
-        fill(film, cells, values, cells.width());
-        const auto [low, high] = std::minmax_element(values, values + cells.width() * cells.height());
-        range.lowest_mm = std::min(range.lowest_mm, *low);
-        range.highest_mm = std::max(range.highest_mm, *high);
-    }
+    for (int tile = 0; tile < film.shape.tile_count(); ++tile)
+        range = united(range, range_of_tile(film, tile, fill));
     return range;
 }
 
@@ -148,6 +157,19 @@ void paint_coefficients(const film::FilmState& film, const Rect& cells, float* o
 
 HeightRange surface_range(const film::FilmState& film) {
     return range_of(film, surface_means);
+}
+
+void TileRanges::update(const film::FilmState& film, const std::vector<int>& tiles) {
+    ranges_.resize(static_cast<std::size_t>(film.shape.tile_count()));
+    for (const int tile : tiles)
+        ranges_[tile] = range_of_tile(film, tile, surface_means);
+}
+
+HeightRange TileRanges::all() const {
+    HeightRange range = ranges_.at(0);
+    for (const HeightRange& tile : ranges_)
+        range = united(range, tile);
+    return range;
 }
 
 HeightRange surface_bounds(const film::FilmState& film) {

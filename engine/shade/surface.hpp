@@ -3,6 +3,8 @@
 
 #include "film/state.hpp"
 
+#include <vector>
+
 namespace pastoso::shade {
 
 /// Mean height of the surface over each cell of a rectangle, c + h in mm, row by row; `stride` floats
@@ -27,6 +29,20 @@ struct HeightRange {
     float lowest_mm = 0.0F, highest_mm = 0.0F;
 };
 HeightRange surface_range(const film::FilmState& film);
+HeightRange united(const HeightRange& a, const HeightRange& b);
+
+/// The range of a canvas that changes, by its tiles.
+class TileRanges {
+  public:
+    /// These tiles are others; all of them on a canvas of another shape.
+    void update(const film::FilmState& film, const std::vector<int>& tiles);
+
+    /// Of all tiles: surface_range().
+    HeightRange all() const;
+
+  private:
+    std::vector<HeightRange> ranges_;
+};
 
 /// Two heights between which all of the interpolated surface lies: the least and the greatest of its
 /// coefficients.

@@ -3005,6 +3005,26 @@
             <numerusform> minutes</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The canvas is drawn by</source>
+        <translation>The canvas is drawn by</translation>
+    </message>
+    <message>
+        <source>What is faster here</source>
+        <translation>What is faster here</translation>
+    </message>
+    <message>
+        <source>The graphics card (OpenGL)</source>
+        <translation>The graphics card (OpenGL)</translation>
+    </message>
+    <message>
+        <source>The processor</source>
+        <translation>The processor</translation>
+    </message>
+    <message>
+        <source>Choose the processor where a graphics driver shows the canvas wrongly.</source>
+        <translation>Choose the processor where a graphics driver shows the canvas wrongly.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
@@ -4960,6 +4980,10 @@
         <source>Show them</source>
         <translation>Show them</translation>
     </message>
+    <message>
+        <source>%1 From now on the processor draws the canvas, which is slower.</source>
+        <translation>%1 From now on the processor draws the canvas, which is slower.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::TankMode</name>
@@ -6510,6 +6534,13 @@ Drag: move the picture
     <message>
         <source>%p %</source>
         <translation>%p %</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::screen::GlScreen</name>
+    <message>
+        <source>There is no OpenGL any more to draw the canvas with.</source>
+        <translation>There is no OpenGL any more to draw the canvas with.</translation>
     </message>
 </context>
 <context>

@@ -3000,6 +3000,26 @@
             <numerusform> 分ごと</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The canvas is drawn by</source>
+        <translation>キャンバスの描画</translation>
+    </message>
+    <message>
+        <source>What is faster here</source>
+        <translation>この環境で速いほう</translation>
+    </message>
+    <message>
+        <source>The graphics card (OpenGL)</source>
+        <translation>グラフィックカード (OpenGL)</translation>
+    </message>
+    <message>
+        <source>The processor</source>
+        <translation>プロセッサ</translation>
+    </message>
+    <message>
+        <source>Choose the processor where a graphics driver shows the canvas wrongly.</source>
+        <translation>グラフィックドライバでキャンバスが正しく表示されない場合は、プロセッサを選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
@@ -4949,6 +4969,10 @@
         <source>Show them</source>
         <translation>表示</translation>
     </message>
+    <message>
+        <source>%1 From now on the processor draws the canvas, which is slower.</source>
+        <translation>%1 これからはプロセッサがキャンバスを描きます。少し遅くなります。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::TankMode</name>
@@ -6494,6 +6518,13 @@ Drag: move the picture
     <message>
         <source>%p %</source>
         <translation>%p %</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::screen::GlScreen</name>
+    <message>
+        <source>There is no OpenGL any more to draw the canvas with.</source>
+        <translation>キャンバスを描く OpenGL が使えなくなりました。</translation>
     </message>
 </context>
 <context>

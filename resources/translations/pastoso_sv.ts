@@ -3005,6 +3005,26 @@
             <numerusform> minuter emellan</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The canvas is drawn by</source>
+        <translation>Duken ritas av</translation>
+    </message>
+    <message>
+        <source>What is faster here</source>
+        <translation>Det som är snabbast här</translation>
+    </message>
+    <message>
+        <source>The graphics card (OpenGL)</source>
+        <translation>Grafikkortet (OpenGL)</translation>
+    </message>
+    <message>
+        <source>The processor</source>
+        <translation>Processorn</translation>
+    </message>
+    <message>
+        <source>Choose the processor where a graphics driver shows the canvas wrongly.</source>
+        <translation>Välj processorn där en grafikdrivrutin visar duken fel.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
@@ -4960,6 +4980,10 @@
         <source>Show them</source>
         <translation>Visa dem</translation>
     </message>
+    <message>
+        <source>%1 From now on the processor draws the canvas, which is slower.</source>
+        <translation>%1 Från och med nu ritar processorn duken, vilket går långsammare.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::TankMode</name>
@@ -6510,6 +6534,13 @@ Dra: flytta bilden
     <message>
         <source>%p %</source>
         <translation>%p %</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::screen::GlScreen</name>
+    <message>
+        <source>There is no OpenGL any more to draw the canvas with.</source>
+        <translation>Det finns inte längre någon OpenGL att rita duken med.</translation>
     </message>
 </context>
 <context>

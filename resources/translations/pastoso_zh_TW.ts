@@ -3000,6 +3000,26 @@
             <numerusform> 分鐘</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The canvas is drawn by</source>
+        <translation>畫布的繪製方式</translation>
+    </message>
+    <message>
+        <source>What is faster here</source>
+        <translation>此電腦上較快的方式</translation>
+    </message>
+    <message>
+        <source>The graphics card (OpenGL)</source>
+        <translation>顯示卡 (OpenGL)</translation>
+    </message>
+    <message>
+        <source>The processor</source>
+        <translation>處理器</translation>
+    </message>
+    <message>
+        <source>Choose the processor where a graphics driver shows the canvas wrongly.</source>
+        <translation>若顯示卡驅動程式無法正確顯示畫布，請選擇處理器。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
@@ -4949,6 +4969,10 @@
         <source>Show them</source>
         <translation>顯示</translation>
     </message>
+    <message>
+        <source>%1 From now on the processor draws the canvas, which is slower.</source>
+        <translation>%1 從現在起由處理器繪製畫布，速度較慢。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::TankMode</name>
@@ -6494,6 +6518,13 @@ Drag: move the picture
     <message>
         <source>%p %</source>
         <translation>%p %</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::screen::GlScreen</name>
+    <message>
+        <source>There is no OpenGL any more to draw the canvas with.</source>
+        <translation>已沒有可用來繪製畫布的 OpenGL。</translation>
     </message>
 </context>
 <context>

@@ -1,10 +1,10 @@
-#include "view/canvas_layers.hpp"
+#include "screen/canvas_layers.hpp"
 
 #include "core/random.hpp"
 #include "film/support/support.hpp"
+#include "screen/canvas_outlines.hpp"
 #include "shade/cell_layers.hpp"
 #include "shade/outline_layers.hpp"
-#include "view/canvas_outlines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace pastoso::view {
+namespace pastoso::screen {
 namespace {
 
 using ::testing::ElementsAre;
@@ -253,4 +253,4 @@ TEST(CanvasOutlines, TellWhereSamplesAreNearThem) {
 }
 
 }  // namespace
-}  // namespace pastoso::view
+}  // namespace pastoso::screen

@@ -198,7 +198,7 @@ TEST_F(CanvasSize, AnotherPaintingIsNoCanvasThatWasCut) {
     settle();
     EXPECT_EQ(studio().easel().hand().ruler, moved);
     give(Command::FitCanvas);
-    const view::ViewTransform fitted = canvas().view_transform();
+    const screen::ViewTransform fitted = canvas().view_transform();
     parts().files.new_canvas({.width_mm = 40.0, .height_mm = 40.0});
     settle();
     EXPECT_NE(canvas().view_transform(), fitted) << "it is shown whole";

@@ -79,7 +79,7 @@ class HandWindow : public WindowTest {
 TEST_F(HandWindow, APalmNeitherEndsNorBendsThePensStroke) {
     Pen pen;
     const QPoint palm = at(50.0, 35.0);
-    const view::ViewTransform view = canvas().view_transform();
+    const screen::ViewTransform view = canvas().view_transform();
     pen_at({15.0, 20.0}, Qt::LeftButton, pen);
     touch().press(0, palm).press(1, palm + QPoint(60, 10));
     for (int i = 1; i <= 20; ++i) {
@@ -101,7 +101,7 @@ TEST_F(HandWindow, APenTakesOverFromAFingerThatMovesTheCanvas) {
     const QPoint from = at(30.0, 30.0);
     touch().press(0, from);
     touch().move(0, from + QPoint(30, 0));
-    const view::ViewTransform view = canvas().view_transform();
+    const screen::ViewTransform view = canvas().view_transform();
     Pen pen;
     pen_at({15.0, 20.0}, Qt::LeftButton, pen);
     touch().move(0, from + QPoint(90, 40));
@@ -120,7 +120,7 @@ TEST_F(HandWindow, AFingerMovesTheCanvasAndPaintsOnlyWhereThatIsWanted) {
     EXPECT_EQ(volume_mm3(), 0.0);
     EXPECT_LT(glm::distance(canvas().canvas_mm(from + way), below), 0.2);
     let_fingers_paint();
-    const view::ViewTransform view = canvas().view_transform();
+    const screen::ViewTransform view = canvas().view_transform();
     drag_finger(from, way);
     EXPECT_GT(volume_mm3(), 1.0);
     EXPECT_EQ(canvas().view_transform(), view);
@@ -129,7 +129,7 @@ TEST_F(HandWindow, AFingerMovesTheCanvasAndPaintsOnlyWhereThatIsWanted) {
 
 TEST_F(HandWindow, ASecondFingerDoesNotEndWhatOnePaints) {
     let_fingers_paint();
-    const view::ViewTransform view = canvas().view_transform();
+    const screen::ViewTransform view = canvas().view_transform();
     const QPoint from = at(15.0, 20.0);
     touch().press(0, from);
     for (int x = 10; x <= 120; x += 10)

@@ -22,7 +22,7 @@ namespace pastoso::tests {
 namespace {
 
 using commands::Command;
-using view::Look;
+using screen::Look;
 
 /// A value rounded to eight bits, and the shader's single precision.
 constexpr double kLevels = 1.5;
@@ -38,7 +38,7 @@ class Looks : public WindowTest {
     void paint() {
         give(Command::Pause);
         mouse_stroke(line_mm({20.0, 20.0}, {40.0, 20.0}));
-        view::ViewTransform view;
+        screen::ViewTransform view;
         view.zoom = 4.0;
         view.origin_px = {-200.5, -60.5};  // the middle of a cell on that of a pixel
         settle();
@@ -86,14 +86,14 @@ TEST_F(Looks, HeightsHaveTheColoursOfTheirSteps) {
     for (int y = 0; y < 160; ++y)
         for (int x = 0; x < 240; ++x)
             highest_mm = std::max(highest_mm, wet_mm({x, y}));
-    const double top_mm = view::scale_top_mm(highest_mm);
+    const double top_mm = screen::scale_top_mm(highest_mm);
     int high = 0;
     for (const glm::ivec2& cell : some_cells()) {
-        const double share = view::kHeightSteps * wet_mm(cell) / top_mm;
+        const double share = screen::kHeightSteps * wet_mm(cell) / top_mm;
         if (std::abs(share - std::round(share)) < 0.01 && share > 0.5) continue;  // between two steps
-        const int step = std::min(static_cast<int>(share), view::kHeightSteps - 1);
+        const int step = std::min(static_cast<int>(share), screen::kHeightSteps - 1);
         high += step > 1;
-        const view::Rgb& colour = view::kHeightColours[step];
+        const screen::Rgb& colour = screen::kHeightColours[step];
         expect_near(seen(image, cell), 255.0 * glm::dvec3(colour[0], colour[1], colour[2]));
     }
     EXPECT_GT(high, 10);
@@ -109,7 +109,7 @@ TEST_F(Looks, WetPaintIsTintedAndDryPaintIsNot) {
     const QImage wet = picture();
     int tinted = 0;
     for (const glm::ivec2& cell : some_cells()) {
-        const double tint = view::wet_tint(wet_mm(cell));
+        const double tint = screen::wet_tint(wet_mm(cell));
         const glm::dvec3 there = seen(wet, cell);
         tinted += tint > 0.3;
         if (tint == 0.0) {
@@ -117,14 +117,14 @@ TEST_F(Looks, WetPaintIsTintedAndDryPaintIsNot) {
         }
         // A grey takes what the tint leaves: all three channels give the same one.
         const glm::dvec3 full =
-            255.0 * glm::dvec3(view::kWetTint[0], view::kWetTint[1], view::kWetTint[2]);
+            255.0 * glm::dvec3(screen::kWetTint[0], screen::kWetTint[1], screen::kWetTint[2]);
         const glm::dvec3 grey = (there - tint * full) / (1.0 - tint);
         const double room = 2.0 * kLevels / (1.0 - tint);
         EXPECT_NEAR(grey.x, grey.y, room);
         EXPECT_NEAR(grey.x, grey.z, room);
         const glm::dvec3 before = seen(lit, cell);
-        EXPECT_LE(grey.x, view::kGreyShare * std::max({before.x, before.y, before.z}) + room);
-        EXPECT_GE(grey.x, view::kGreyShare * std::min({before.x, before.y, before.z}) - room);
+        EXPECT_LE(grey.x, screen::kGreyShare * std::max({before.x, before.y, before.z}) + room);
+        EXPECT_GE(grey.x, screen::kGreyShare * std::min({before.x, before.y, before.z}) - room);
     }
     EXPECT_GT(tinted, 20);
     give(Command::Pause);
@@ -249,7 +249,7 @@ TEST_F(Looks, PaintThatComesIsShownToo) {
 
 TEST(LightHandle, IsWhereTheLightComesFromHoweverTheCanvasIsTurned) {
     const interactions::LightDial dial{{300.0, 200.0}, 100.0};
-    view::ViewTransform view;
+    screen::ViewTransform view;
     // From the left, seen from the left; from above in a canvas turned to the right.
     EXPECT_NEAR(light_handle_px(dial, view, {180.0, 8.0}).x, 200.0, 1e-9);
     view.angle_deg = 90.0;
@@ -343,12 +343,14 @@ TEST_F(Lamp, BesideItTheBrushPaintsOn) {
 
 /// The view in a window of its own and back: each has a context of its own, which dies with it.
 TEST_F(Looks, AContextThatIsLostLeavesThePictureAsItWas) {
+    for (view::CanvasView* view : studio().views())
+        view->set_drawn_by(screen::DrawnBy::OpenGl);
     paint();
     for (const Command look : {Command::LookLit, Command::LookHeight}) {
         give(look);
         const QImage before = picture();
-        const view::ViewTransform view = canvas().view_transform();
-        const QOpenGLContext* first = canvas().context();
+        const screen::ViewTransform view = canvas().view_transform();
+        const QOpenGLContext* first = canvas().opengl()->context();
         int lost = 0;
         QObject::connect(first, &QOpenGLContext::aboutToBeDestroyed, &canvas(), [&lost] { ++lost; });
         QWidget* home = canvas().parentWidget();

@@ -44,10 +44,13 @@ TEST_F(Navigation, TheWheelKeepsThePointUnderTheCursor) {
 }
 
 TEST_F(Navigation, AFittedCanvasIsDrawnWhereItLiesInTheWindowThatBecameLarger) {
-    const view::ViewTransform before = canvas().view_transform();
-    std::optional<view::ViewTransform> drawn;
+    canvas().set_drawn_by(screen::DrawnBy::OpenGl);
+    settle();
+    const screen::ViewTransform before = canvas().view_transform();
+    std::optional<screen::ViewTransform> drawn;
     // Comes between the new size and the frame that is drawn at once.
-    QObject::connect(&canvas(), &QOpenGLWidget::resized, &canvas(), [&] { drawn = canvas().view_transform(); });
+    QObject::connect(canvas().opengl(), &QOpenGLWidget::resized, &canvas(),
+                     [&] { drawn = canvas().view_transform(); });
     window().resize(window().size() + QSize(60, 40));
     wait_for([&] { return drawn.has_value(); });
     EXPECT_FALSE(*drawn == before);

@@ -284,7 +284,7 @@ TEST_F(PenWindow, HoveringShowsTheOutlineAndHowThePenLeans) {
         Pen pen = pressed(0.0);
         pen.tilt_x_deg = tilt_x_deg;
         pen_at({30.0, 20.0}, Qt::NoButton, pen);
-        return canvas().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+        return canvas().picture().convertToFormat(QImage::Format_RGB888);
     };
     const QImage upright = seen(0), leaning = seen(50), other_way = seen(-50);
     EXPECT_GT(difference(bare, upright).largest, 50);
@@ -326,7 +326,7 @@ TEST_F(PenWindow, TheOutlineLiesWhereTheBrushWouldTouch) {
     Pen pen = pressed(0.0);
     pen.tilt_x_deg = 3;
     pen_at(place_mm, Qt::NoButton, pen);
-    const QImage hovering = canvas().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    const QImage hovering = canvas().picture().convertToFormat(QImage::Format_RGB888);
     QRect seen;
     for (int y = 0; y < bare.height(); ++y)
         for (int x = 0; x < bare.width(); ++x)

@@ -31,7 +31,7 @@ class PreferencesTest : public ::testing::Test {
 
 TEST_F(PreferencesTest, ComeBackAsTheyWereWritten) {
     const Preferences preferences{
-        .theme = "light", .language = "zh_TW", .threads = 3, .autosave_min = 15};
+        .theme = "light", .language = "zh_TW", .drawn_by = "opengl", .threads = 3, .autosave_min = 15};
     write_preferences(preferences, file());
     EXPECT_EQ(read_preferences(file()), preferences);
 }
@@ -46,6 +46,8 @@ TEST_F(PreferencesTest, FaultsAreToldWithTheirPlace) {
               name + ", theme: \"pink\" is not one of \"dark\", \"light\".");
     EXPECT_EQ(fault_of("\"language\": \"\"", "\"language\": \"tlh\""),
               name + ", language: \"tlh\" is not one of \"\", \"en\", \"ja\", \"sv\", \"zh_TW\".");
+    EXPECT_EQ(fault_of("\"drawn_by\": \"\"", "\"drawn_by\": \"ink\""),
+              name + ", drawn_by: \"ink\" is not one of \"\", \"opengl\", \"processor\".");
     EXPECT_EQ(fault_of("\"threads\": 0", "\"threads\": -1"),
               name + ", threads: -1 is not between 0 and 256.");
     EXPECT_EQ(fault_of("\"autosave_min\": 0", "\"autosave_min\": 1e9"),

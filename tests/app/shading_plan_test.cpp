@@ -1,8 +1,8 @@
-#include "view/shading_plan.hpp"
+#include "screen/shading_plan.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pastoso::view {
+namespace pastoso::screen {
 namespace {
 
 constexpr QRect kWindow(0, 0, 1000, 800);
@@ -138,4 +138,4 @@ TEST(ShadingPlan, AFastCardMovesNoPicture) {
 }
 
 }  // namespace
-}  // namespace pastoso::view
+}  // namespace pastoso::screen

@@ -70,7 +70,7 @@ class TurnedView : public WindowTest {
 
     struct Seen {
         QImage image;
-        view::ViewTransform view;
+        screen::ViewTransform view;
     };
     Seen seen() {
         const QImage image = picture();
@@ -105,7 +105,7 @@ class TurnedView : public WindowTest {
 };
 
 TEST_F(TurnedView, KeysTurnStepByStepAndPutUpright) {
-    const view::ViewTransform fitted = canvas().view_transform();
+    const screen::ViewTransform fitted = canvas().view_transform();
     key(Qt::Key_6);
     EXPECT_EQ(canvas().view_transform().angle_deg, 15.0);
     key(Qt::Key_4);

@@ -1,15 +1,15 @@
-#include "view/view_transform.hpp"
+#include "screen/view_transform.hpp"
 
 #include "core/random.hpp"
 #include "core/units.hpp"
-#include "view/damaged_pixels.hpp"
+#include "screen/damaged_pixels.hpp"
 #include "view/turned_pen.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace pastoso::view {
+namespace pastoso::screen {
 namespace {
 
 /// A pixel's millionth: room for rounding in double precision alone.
@@ -212,7 +212,7 @@ TEST(TurnedPen, AnUprightCanvasChangesNothing) {
     pointer.tilt_x_deg = 25.0;
     pointer.tilt_y_deg = -90.0;
     pointer.rotation_deg = 200.0;
-    const tools::Pointer same = against_canvas({{3.0, 4.0}, 2.0}, pointer);
+    const tools::Pointer same = view::against_canvas({{3.0, 4.0}, 2.0}, pointer);
     EXPECT_EQ(same.tilt_x_deg, 25.0);
     EXPECT_EQ(same.tilt_y_deg, -90.0);
     EXPECT_EQ(same.rotation_deg, 200.0);
@@ -234,7 +234,7 @@ TEST(TurnedPen, LeansAndTurnsAsItDoesOnTheScreen) {
         pen.tilt_x_deg = 120.0 * core::uniform_noise(i, 40) - 60.0;
         pen.tilt_y_deg = 120.0 * core::uniform_noise(i, 41) - 60.0;
         pen.rotation_deg = 360.0 * core::uniform_noise(i, 42);
-        const tools::Pointer there = against_canvas(view, pen);
+        const tools::Pointer there = view::against_canvas(view, pen);
         expect_near(view.axes() * lean(there), lean(pen));
         expect_near(view.axes() * direction(*there.rotation_deg), direction(*pen.rotation_deg));
         expect_near(view.axes() * direction(there.hand_deg), direction(pen.hand_deg));
@@ -242,4 +242,4 @@ TEST(TurnedPen, LeansAndTurnsAsItDoesOnTheScreen) {
 }
 
 }  // namespace
-}  // namespace pastoso::view
+}  // namespace pastoso::screen

@@ -36,7 +36,7 @@ class WellWindow : public WindowTest {
         wait_for([&] { return studio().well().finished() && shown_mm3() == there_mm3; });
         QEvent leave(QEvent::Leave);
         QApplication::sendEvent(&studio().well(), &leave);
-        return studio().well().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+        return studio().well().picture().convertToFormat(QImage::Format_RGB888);
     }
     QColor well_colour(const glm::dvec2& place_mm) {
         const QImage picture = well_picture();

@@ -1,8 +1,8 @@
 #include "app/window_fixture.hpp"
 
 #include "appearance/theme.hpp"
+#include "graphics/opengl_support.hpp"
 #include "main/program/application.hpp"
-#include "main/program/display.hpp"
 #include "main/program/language.hpp"
 #include "patience.hpp"
 
@@ -59,6 +59,7 @@ void make_application() {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::ResetNotification);
     QSurfaceFormat::setDefaultFormat(format);
     auto* application = new main::Application(argc, argv);
     main::speak(QStringLiteral("C"));
@@ -89,7 +90,7 @@ void WindowTest::SetUp() {
         GTEST_FAIL() << "no display: run under packaging/test.sh or xvfb-run";
     }
     make_application();
-    ASSERT_EQ(main::opengl_problem(), std::nullopt);
+    ASSERT_EQ(graphics::opengl_support().problem, "");
     own_data_ = std::getenv("XDG_DATA_HOME") == nullptr;
     if (own_data_) ::setenv("XDG_DATA_HOME", (home_.path() / "data").c_str(), 1);
     ::setenv("XDG_STATE_HOME", (home_.path() / "state").c_str(), 1);
@@ -107,6 +108,8 @@ void WindowTest::TearDown() {
 void WindowTest::open_another() {
     window_.reset();
     window_ = std::make_unique<main::MainWindow>(canvas_settings());
+    for (view::CanvasView* view : studio().views())
+        view->set_drawn_by(drawn_by());
     window_->resize(1180, 640);
     window_->show();
     wait_until_shown(*window_);
@@ -126,6 +129,11 @@ std::filesystem::path WindowTest::data_file(const char* name) const {
 
 std::filesystem::path WindowTest::settings_file() const {
     return home_.path() / "config" / "pastoso" / "settings.json";
+}
+
+screen::DrawnBy WindowTest::drawn_by() const {
+    const char* wanted = std::getenv("PASTOSO_TEST_OPENGL");
+    return wanted != nullptr ? screen::DrawnBy::OpenGl : screen::DrawnBy::Fastest;
 }
 
 document::CanvasSettings WindowTest::canvas_settings() const {
@@ -232,7 +240,7 @@ QImage WindowTest::picture() {
     wait_for([this] { return canvas().finished(); });
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(&canvas(), &leave);
-    return canvas().grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    return canvas().picture().convertToFormat(QImage::Format_RGB888);
 }
 
 std::vector<glm::dvec2> line_mm(const glm::dvec2& from, const glm::dvec2& to, int steps) {

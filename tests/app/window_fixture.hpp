@@ -24,6 +24,9 @@ class WindowTest : public ::testing::Test {
 
     virtual document::CanvasSettings canvas_settings() const;
 
+    /// By OpenGL where the environment has PASTOSO_TEST_OPENGL, else as on this machine.
+    virtual screen::DrawnBy drawn_by() const;
+
     /// A move or a press of the left button, the place in millimetres on the canvas.
     void mouse_stroke(const std::vector<glm::dvec2>& path_mm);
     void mouse_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm);

@@ -86,7 +86,7 @@ QPixmap Camera::look() {
 
 QPixmap Camera::look_at_canvas() {
     settle();
-    return QPixmap::fromImage(window_.studio().canvas().grabFramebuffer());
+    return QPixmap::fromImage(window_.studio().canvas().picture());
 }
 
 void Camera::take_dialog(commands::Command command, const QString& name,

@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::ResetNotification);
     QSurfaceFormat::setDefaultFormat(format);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("pastoso"));

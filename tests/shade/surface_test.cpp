@@ -221,5 +221,24 @@ TEST(SurfaceRange, FindsTheExtremesOfTheCanvasAndNotBeyond) {
     EXPECT_FLOAT_EQ(range.highest_mm, 2.5F + 0.069F);
 }
 
+TEST(TileRanges, FollowACanvasThatChanges) {
+    film::FilmState film(grid::Shape{130, 70}, 0.25);
+    TileRanges ranges;
+    ranges.update(film, {0, 1, 2, 3, 4, 5});
+    const auto expect_all = [&] {
+        EXPECT_EQ(ranges.all().lowest_mm, surface_range(film).lowest_mm);
+        EXPECT_EQ(ranges.all().highest_mm, surface_range(film).highest_mm);
+    };
+    expect_all();
+    test::set_paint(film, 129, 69, 2.0, {});
+    test::set_paint(film, 3, 3, 1.0, {});
+    ranges.update(film, {0, 5});
+    expect_all();
+    test::set_paint(film, 129, 69, 0.0, {});
+    ranges.update(film, {5});
+    expect_all();
+    EXPECT_GT(ranges.all().highest_mm, 0.9F);
+}
+
 }  // namespace
 }  // namespace pastoso::shade

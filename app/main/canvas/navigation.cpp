@@ -65,7 +65,7 @@ Navigation::Navigation(Studio& studio, panels::NavigatorPanel* panel, QDockWidge
 void Navigation::show_view() {
     if (!panel_->isVisible()) return;
     const view::CanvasView& canvas = studio_.canvas();
-    const view::ViewTransform& view = canvas.view_transform();
+    const screen::ViewTransform& view = canvas.view_transform();
     panel_->show_view(view.zoom, view.angle_deg);
     const glm::dvec2 size_mm = canvas.canvas_size_mm();
     if (size_mm == glm::dvec2(0.0)) return;
@@ -88,7 +88,7 @@ void Navigation::want_picture() {
     auto painting = studio_.session().snapshot();
     const pigment::Viewing& viewing = studio_.canvas().viewing();
     const bool same_canvas = pictured_ != nullptr && pictured_->film.shape == painting->film.shape;
-    auto tiles = view::changed_tiles(same_canvas ? pictured_.get() : nullptr, *painting);
+    auto tiles = screen::changed_tiles(same_canvas ? pictured_.get() : nullptr, *painting);
     const bool new_light = viewing != viewing_;
     pictured_ = painting;
     if (tiles.empty() && !new_light) return;

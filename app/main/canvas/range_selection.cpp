@@ -33,7 +33,7 @@ dialogs::SelectedRange first_range(bool wetness, const tools::PaintDepths& depth
 /// Whether the same range holds the same cells of both.
 bool looks_alike(const document::Snapshot& a, const document::Snapshot& b) {
     return a.film.shape == b.film.shape && a.selection == b.selection && a.layers == b.layers &&
-           view::changed_tiles(&a, b).empty();
+           screen::changed_tiles(&a, b).empty();
 }
 
 template <class Select>

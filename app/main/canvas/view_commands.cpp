@@ -19,11 +19,11 @@ using commands::Command;
 
 constexpr double kTurn_deg = 15.0, kZoomStep = 1.25;
 
-constexpr std::pair<Command, view::Look> kLooks[] = {{Command::LookLit, view::Look::Lit},
-                                                     {Command::LookWet, view::Look::Wet},
-                                                     {Command::LookHeight, view::Look::Height},
-                                                     {Command::LookNormals, view::Look::Normals},
-                                                     {Command::LookFlat, view::Look::Flat}};
+constexpr std::pair<Command, screen::Look> kLooks[] = {{Command::LookLit, screen::Look::Lit},
+                                                       {Command::LookWet, screen::Look::Wet},
+                                                       {Command::LookHeight, screen::Look::Height},
+                                                       {Command::LookNormals, screen::Look::Normals},
+                                                       {Command::LookFlat, screen::Look::Flat}};
 
 }  // namespace
 
@@ -114,13 +114,13 @@ void ViewCommands::connect_looks() {
     studio_.commands().action(Command::LookLit)->setChecked(true);
 }
 
-void ViewCommands::show_look(view::Look look) {
+void ViewCommands::show_look(screen::Look look) {
     canvas_.set_look(look);
     readings_->show_look(view::look_words(look));
 }
 
 void ViewCommands::show_view() {
-    const view::ViewTransform& view = canvas_.view_transform();
+    const screen::ViewTransform& view = canvas_.view_transform();
     readings_->show_view(view.zoom, view.angle_deg, view.mirrored);
     studio_.commands().action(Command::MirrorView)->setChecked(view.mirrored);
 }

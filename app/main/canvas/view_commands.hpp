@@ -30,7 +30,7 @@ class ViewCommands : public QObject {
     void connect_canvas_only();
     void connect_looks();
     void escape();
-    void show_look(view::Look look);
+    void show_look(screen::Look look);
     void show_only_canvas(bool only);
     void show_view();
 

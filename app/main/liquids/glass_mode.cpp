@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "glass/glass_view.hpp"
+#include "graphics/opengl_support.hpp"
 #include "main/layers/picture_layers.hpp"
 
 #include <utility>
@@ -66,6 +67,12 @@ void GlassMode::add_page(std::initializer_list<Command> arrows) {
 
 void GlassMode::enter() {
     if (active_) return;
+    const std::string& problem = graphics::opengl_support().problem;
+    if (!problem.empty()) {
+        action(commands_.enter)->setChecked(false);
+        studio_.report(QString::fromStdString(problem));
+        return;
+    }
     make_ready();
     ready_ = true;
     place_.take(&page(), commands_.mode, words_.name, [this] { put_away(); });

@@ -43,7 +43,7 @@ void WellCommands::show(const document::Snapshot& painting) {
     static const film::FilmState bare = document::bare_well();
     auto well = std::make_shared<const document::Snapshot>(painting.well.value_or(bare), painting.ground,
                                                            painting.tick);
-    if (shown_ != nullptr && view::changed_tiles(shown_.get(), *well).empty()) return;
+    if (shown_ != nullptr && screen::changed_tiles(shown_.get(), *well).empty()) return;
     shown_ = std::move(well);
     studio_.well().show_snapshot(shown_);
 }

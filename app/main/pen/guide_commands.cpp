@@ -113,7 +113,7 @@ void GuideCommands::show(const tools::Hand& hand) {
     const bool any = hand.ruler || hand.ellipse || hand.symmetry.mirror || hand.symmetry.count > 1;
     studio_.commands().action(Command::RemoveGuides)->setEnabled(any);
     guides_->show_hand(hand);
-    studio_.canvas().update();
+    studio_.canvas().refresh();
 }
 
 }  // namespace pastoso::main

@@ -2,10 +2,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
-
+#include <QtGlobal>
 namespace pastoso::main {
 namespace {
 
@@ -40,19 +39,6 @@ void expect_display() {
 
 void display_found() {
     qInstallMessageHandler(nullptr);
-}
-
-std::optional<std::string> opengl_problem() {
-    QOffscreenSurface surface;
-    surface.create();
-    QOpenGLContext context;
-    if (!context.create() || !context.makeCurrent(&surface)) {
-        return "This display offers no OpenGL, which the canvas is drawn with.";
-    }
-    const auto [major, minor] = context.format().version();
-    if (major * 10 + minor >= 33) return std::nullopt;
-    return "This display offers OpenGL " + std::to_string(major) + "." + std::to_string(minor) +
-           ", but the canvas needs 3.3.";
 }
 
 }  // namespace pastoso::main

@@ -3,12 +3,10 @@
 #include "core/isa.hpp"
 #include "core/memory.hpp"
 #include "core/thread_count.hpp"
+#include "graphics/opengl_support.hpp"
 
 #include <QCoreApplication>
 #include <QGuiApplication>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
-#include <QOpenGLWidget>
 #include <QScreen>
 #include <QSysInfo>
 
@@ -19,36 +17,23 @@ QString tr(const char* words) {
     return QCoreApplication::translate("pastoso::main", words);
 }
 
-QString gl_text(QOpenGLFunctions& gl, GLenum what) {
-    return QString::fromUtf8(reinterpret_cast<const char*>(gl.glGetString(what)));
-}
-
-/// Mesa's and Google's drawing by the processor.
-bool draws_by_processor(const QString& renderer) {
-    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
-        if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) return true;
-    return false;
-}
-
-void add_opengl(QOpenGLWidget& canvas, Facts& facts) {
-    if (canvas.context() == nullptr) {
+void add_opengl(Facts& facts) {
+    const graphics::OpenGlSupport& opengl = graphics::opengl_support();
+    const auto add = [&facts](const QString& what, const std::string& how) {
+        facts.emplace_back(what, QString::fromStdString(how));
+    };
+    if (opengl.renderer.empty()) {
         facts.emplace_back(tr("OpenGL"), tr("none"));
         return;
     }
-    canvas.makeCurrent();
-    QOpenGLFunctions& gl = *canvas.context()->functions();
-    const QString renderer = gl_text(gl, GL_RENDERER);
-    GLint largest = 0;
-    gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    facts.emplace_back(tr("Graphics"),
-                       draws_by_processor(renderer)
-                           ? tr("%1 (the processor draws, no graphics card)").arg(renderer)
-                           : renderer);
-    facts.emplace_back(tr("Its maker"), gl_text(gl, GL_VENDOR));
-    facts.emplace_back(tr("OpenGL"), gl_text(gl, GL_VERSION));
-    facts.emplace_back(tr("Shading language"), gl_text(gl, GL_SHADING_LANGUAGE_VERSION));
-    facts.emplace_back(tr("Largest texture"), tr("%1 pixels a side").arg(largest));
-    canvas.doneCurrent();
+    const QString renderer = QString::fromStdString(opengl.renderer);
+    facts.emplace_back(
+        tr("Graphics"),
+        opengl.software ? tr("%1 (the processor draws, no graphics card)").arg(renderer) : renderer);
+    add(tr("Its maker"), opengl.vendor);
+    add(tr("OpenGL"), opengl.version);
+    add(tr("Shading language"), opengl.shading_language);
+    facts.emplace_back(tr("Largest texture"), tr("%1 pixels a side").arg(opengl.largest_texture));
 }
 
 QString screen_words() {
@@ -81,12 +66,7 @@ Facts machine_facts() {
         tr("%1 GiB").arg(static_cast<double>(core::available_memory_bytes()) / kGiB, 0, 'f', 1));
     facts.emplace_back(tr("Windows by"), QGuiApplication::platformName());
     facts.emplace_back(tr("Screen"), screen_words());
-    return facts;
-}
-
-Facts machine_facts(QOpenGLWidget& canvas) {
-    Facts facts = machine_facts();
-    add_opengl(canvas, facts);
+    add_opengl(facts);
     return facts;
 }
 

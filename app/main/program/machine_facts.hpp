@@ -6,18 +6,13 @@
 
 #include <QString>
 
-class QOpenGLWidget;
-
 namespace pastoso::main {
 
 /// "Processor: 8 at once", and so on.
 using Facts = std::vector<std::pair<QString, QString>>;
 
-/// Of the program, its libraries, the processor and the screen.
+/// Of the program, its libraries, the processor, the screen and OpenGL.
 Facts machine_facts();
-
-/// The same, and of OpenGL as `canvas` has it; that there is none while it was not shown yet.
-Facts machine_facts(QOpenGLWidget& canvas);
 
 /// A line for each.
 QString words_of(const Facts& facts);

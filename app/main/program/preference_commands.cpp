@@ -17,6 +17,11 @@ namespace {
 using commands::Command;
 using Page = dialogs::SettingsDialog::Page;
 
+screen::DrawnBy drawn_by(const tools::Preferences& preferences) {
+    if (preferences.drawn_by.empty()) return screen::DrawnBy::Fastest;
+    return preferences.drawn_by == "opengl" ? screen::DrawnBy::OpenGl : screen::DrawnBy::Processor;
+}
+
 }  // namespace
 
 void apply_preferences(const tools::Preferences& preferences) {
@@ -41,12 +46,17 @@ void PreferenceCommands::recall(const KeptPreferences& kept) {
     file_.recall([&kept](const auto&) {
         if (!kept.fault.empty()) throw core::InputError(kept.fault);
     });
+    show_canvas();
     start_autosave();
 }
 
+void PreferenceCommands::show_canvas() {
+    for (view::CanvasView* view : studio_.views())
+        view->set_drawn_by(drawn_by(preferences_));
+}
+
 void PreferenceCommands::ask(Page page) {
-    dialogs::SettingsDialog dialog(preferences_, undo_.memory_MiB(), machine_facts(studio_.canvas()),
-                                   &studio_.window());
+    dialogs::SettingsDialog dialog(preferences_, undo_.memory_MiB(), machine_facts(), &studio_.window());
     connect(&dialog, &dialogs::SettingsDialog::changed, this, &PreferenceCommands::use);
     connect(&dialog, &dialogs::SettingsDialog::undo_memory_changed, &undo_, &UndoCommands::set_memory);
     dialog.show_page(page);
@@ -56,6 +66,7 @@ void PreferenceCommands::ask(Page page) {
 void PreferenceCommands::use(const tools::Preferences& preferences) {
     preferences_ = preferences;
     apply_preferences(preferences_);
+    show_canvas();
     start_autosave();
     remember();
 }

@@ -33,6 +33,7 @@ class PreferenceCommands : public QObject {
     void ask(dialogs::SettingsDialog::Page page);
     void use(const tools::Preferences& preferences);
     void remember();
+    void show_canvas();
     void start_autosave();
 
     Studio& studio_;

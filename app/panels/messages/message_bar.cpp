@@ -25,7 +25,7 @@ MessageBar::MessageBar(MessageLog& log, QWidget* parent)
     setCursor(Qt::ArrowCursor);
     column_->setContentsMargins(12, 8, 8, 8);
     connect(&log_, &MessageLog::standing_changed, this, &MessageBar::show_messages);
-    hide();
+    show_messages();
 }
 
 void MessageBar::lie_on(const QRect& place) {

@@ -1,0 +1,18 @@
+// What this display can draw by OpenGL.
+#pragma once
+
+#include <string>
+
+namespace pastoso::graphics {
+
+struct OpenGlSupport {
+    std::string problem;  ///< why it cannot be used, as one sentence; empty when it can
+    std::string renderer, vendor, version, shading_language;
+    int largest_texture = 0;  ///< texels along a side
+    bool software = false;    ///< it is the processor that does a card's work
+};
+
+/// Looked at once, with a QApplication.
+const OpenGlSupport& opengl_support();
+
+}  // namespace pastoso::graphics

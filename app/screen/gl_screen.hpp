@@ -1,0 +1,82 @@
+// A canvas drawn by the graphics card: what changed is brought onto it, shaded there and kept.
+#pragma once
+
+#include "graphics/graphics_widget.hpp"
+#include "screen/canvas_outlines.hpp"
+#include "screen/canvas_screen.hpp"
+#include "screen/gl_overlay.hpp"
+#include "screen/picture_buffer.hpp"
+#include "screen/shading_plan.hpp"
+#include "screen/texture_upload.hpp"
+
+#include <chrono>
+#include <deque>
+#include <optional>
+
+#include <QTimer>
+
+namespace pastoso::screen {
+
+class GlScreen : public graphics::GraphicsWidget, public CanvasScreen {
+    Q_OBJECT
+  public:
+    GlScreen(ScreenHost& host, QWidget& parent);
+    ~GlScreen() override;
+
+    QWidget& widget() override { return *this; }
+    void refresh() override;
+    void begin_other_canvas() override;
+    void damage_all() override;
+    bool finished() const override;
+    const document::Snapshot* shown() const override { return shown_.get(); }
+    QImage picture() override { return grabFramebuffer(); }
+    QOpenGLWidget* opengl() override { return this; }
+
+  protected:
+    void make_graphics() override;
+    void free_graphics() override;
+    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void draw_frame();
+    QSize window_px() const;
+    void move_picture(const ViewTransform& from, const QRect& window);
+    void ask_presenter();
+    void take_presentation(std::chrono::microseconds patience);
+    void upload_changes();
+    bool begin_upload();
+    void finish_upload();
+    void drop_textures();
+    bool draws_outlines() const;
+    void upload_outlines();
+    QRegion outlined_region() const;
+    void show_heights(const std::vector<LookPatch>& patches, bool begins);
+    double shade_job(const ShadingPlan::Job& job);
+    QRegion damaged_region(const QRegion& cells) const;
+    grid::Rect cells_in_window() const;
+
+    ScreenHost& host_;
+    core::ThreadPool pool_;
+    CanvasPresenter presenter_;
+    std::deque<Presentation> presentations_;  ///< made, and not on their way to the textures yet
+    TextureUpload upload_;
+    CanvasOutlines outlines_;
+    CanvasTextures textures_;
+    PictureBuffer picture_;
+    GlOverlay overlay_;
+    ShadingPlan plan_;
+    QTimer cooling_;
+
+    Sight drawn_;                   ///< what the textures hold, while there is shown_
+    std::optional<Sight> asked_;    ///< that they will hold when all that was asked for is there
+    bool outdated_ = false;         ///< what is being made is about textures that are no more
+    std::optional<Sight> refused_;  ///< of which no presentation could be made
+    std::shared_ptr<const document::Snapshot> shown_;
+    std::shared_ptr<const document::Snapshot> seen_;  ///< shown_ with what is traced below it
+    std::optional<ViewTransform> drawn_from_;         ///< that the picture was shaded from
+    double highest_mm_ = 0.0;                         ///< of the paint, while heights are shown
+    double scale_top_mm_ = 1.0;
+};
+
+}  // namespace pastoso::screen

@@ -1,0 +1,315 @@
+#include "screen/raster_picture.hpp"
+
+#include "pigment/colour.hpp"
+#include "screen/damaged_pixels.hpp"
+#include "screen/qt_rect.hpp"
+#include "screen/quality.hpp"
+#include "screen/window_pixels.hpp"
+#include "shade/cell_span.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <QPainter>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+
+namespace pastoso::screen {
+namespace {
+
+/// The layers of so many cells are made at once.
+constexpr double kCellsAtOnce = 1 << 22;
+
+/// Of canvases up to so large the layers are kept: 28 bytes a cell.
+constexpr double kMostCellsKept = 12e6;
+
+/// The canvas in its own orientation, as large as it is seen. Where it stands upright in the window,
+/// the sheet's pixels are the window's.
+struct Sheet {
+    shade::Lattice lattice;
+    glm::dvec2 shift_px{};   ///< of the canvas's corner from the sheet's
+    QTransform to_window{};  ///< from its pixels
+
+    Sheet(const grid::Shape& canvas, const ViewTransform& view);
+
+    /// The pixels below a rectangle of the window.
+    grid::Rect pixels_below(const QRect& window) const;
+};
+
+Sheet::Sheet(const grid::Shape& canvas, const ViewTransform& view) {
+    const glm::dmat2 axes = view.axes();
+    const glm::dvec2 along_axes = glm::transpose(axes) * view.origin_px;
+    shift_px = along_axes - glm::floor(along_axes);
+    lattice = {-shift_px.x / view.zoom,
+               -shift_px.y / view.zoom,
+               view.zoom,
+               view.zoom,
+               static_cast<int>(std::ceil(canvas.width * view.zoom + shift_px.x)),
+               static_cast<int>(std::ceil(canvas.height * view.zoom + shift_px.y))};
+    const glm::dvec2 corner = axes * glm::floor(along_axes);
+    to_window = {axes[0].x, axes[0].y, axes[1].x, axes[1].y, corner.x, corner.y};
+}
+
+grid::Rect Sheet::pixels_below(const QRect& window) const {
+    const QRectF part = to_window.inverted().mapRect(QRectF(window));
+    const grid::Rect pixels{
+        static_cast<int>(std::floor(part.left())) - 1, static_cast<int>(std::floor(part.top())) - 1,
+        static_cast<int>(std::ceil(part.right())) + 1, static_cast<int>(std::ceil(part.bottom())) + 1};
+    return grid::intersection(pixels, {0, 0, lattice.width, lattice.height});
+}
+
+QImage as_image(const pigment::Image8& picture) {
+    return QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
+                  QImage::Format_RGB888)
+        .copy();
+}
+
+QRgb encoded(const glm::dvec3& colour) {
+    const glm::dvec3 levels = glm::floor(255.0 * glm::clamp(colour, 0.0, 1.0) + 0.5);
+    return qRgb(static_cast<int>(levels.r), static_cast<int>(levels.g), static_cast<int>(levels.b));
+}
+
+glm::dvec3 vec3(const Rgb& rgb) {
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+/// Over the lit picture or in its place, what a look shows at one pixel.
+struct LookPixels {
+    const document::Snapshot& seen;
+    Look look;
+    double scale_top_mm;
+    const Sheet& sheet;
+    const grid::Rect& pixels;
+
+    double thickness_mm(int x, int y) const {
+        const shade::Lattice& lattice = sheet.lattice;
+        const auto cell = [](double first, int pixel, double scale, int cells) {
+            return std::clamp(static_cast<int>(std::floor(first + (pixel + 0.5) / scale)), 0, cells - 1);
+        };
+        const grid::Shape& shape = seen.film.shape;
+        return look_thickness_mm(seen, look,
+                                 cell(lattice.left_cells, pixels.x0 + x, lattice.scale_x, shape.width),
+                                 cell(lattice.top_cells, pixels.y0 + y, lattice.scale_y, shape.height));
+    }
+
+    QRgb height_at(int x, int y) const {
+        const double step = std::floor(kHeightSteps * thickness_mm(x, y) / scale_top_mm);
+        return encoded(vec3(kHeightColours[std::clamp(static_cast<int>(step), 0, kHeightSteps - 1)]));
+    }
+
+    QRgb wet_at(int x, int y, float luminance) const {
+        const double grey = kGreyShare * pigment::encode_srgb(std::clamp(luminance, 0.0F, 1.0F));
+        return encoded(glm::mix(glm::dvec3(grey), vec3(kWetTint), wet_tint(thickness_mm(x, y))));
+    }
+};
+
+QRgb normal_of(const shade::SurfaceSample& sample) {
+    return encoded(0.5 + 0.5 * glm::normalize(glm::dvec3(-sample.slope_x, sample.slope_y, 1.0)));
+}
+
+/// `pixel(x, y, index)` for all pixels of a picture.
+template <class Pixel>
+QImage made_of(int width, int height, const Pixel& pixel) {
+    QImage image(width, height, QImage::Format_RGB32);
+    std::size_t index = 0;
+    for (int y = 0; y < height; ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < width; ++x, ++index)
+            line[x] = pixel(x, y, index);
+    }
+    return image;
+}
+
+/// Makes parts of the sheet.
+class SheetPainter {
+  public:
+    SheetPainter(const RasterScene& scene, const document::Snapshot& seen, const Sheet& sheet,
+                 double scale_top_mm, Quality quality, const shade::CellLayers& layers,
+                 core::ThreadPool& pool)
+        : seen_(seen),
+          sheet_(sheet),
+          look_(scene.sight.look),
+          scale_top_mm_(scale_top_mm),
+          space_(scene.sight.viewing.space),
+          renderer_(seen.film, seen.ground, sheet.lattice,
+                    {.lighting = scene.sight.lighting,
+                     .viewing = scene.sight.viewing,
+                     .outlined = has_outlines(scene.sight.look),
+                     .most_samples = samples_per_side(quality, scene.view.zoom),
+                     .layers = layers.cells.empty() ? nullptr : &layers},
+                    pool) {}
+
+    QImage paint(const grid::Rect& pixels) const {
+        pigment::LinearImage lit;
+        shade::SurfaceSamples surface;
+        const bool wants_lit = look_ == Look::Lit || look_ == Look::Wet;
+        const bool wants_surface = look_ == Look::Normals || look_ == Look::Flat;
+        if (wants_lit || wants_surface)
+            renderer_.render(pixels, wants_lit ? &lit : nullptr, wants_surface ? &surface : nullptr);
+        const LookPixels shown{seen_, look_, scale_top_mm_, sheet_, pixels};
+        const auto weights = pigment::luminance_weights(space_);
+        switch (look_) {
+            case Look::Lit:
+                return as_image(pigment::encode_srgb8(lit));
+            case Look::Flat:
+                return as_image(pigment::encode_srgb8(colours(surface)));
+            case Look::Wet:
+                return made_of(pixels.width(), pixels.height(), [&](int x, int y, std::size_t i) {
+                    const float* rgb = lit.rgb.data() + 3 * i;
+                    return shown.wet_at(x, y,
+                                        weights[0] * rgb[0] + weights[1] * rgb[1] + weights[2] * rgb[2]);
+                });
+            case Look::Normals:
+                return made_of(pixels.width(), pixels.height(),
+                               [&](int, int, std::size_t i) { return normal_of(surface.samples[i]); });
+            case Look::Height:
+                return made_of(pixels.width(), pixels.height(),
+                               [&](int x, int y, std::size_t) { return shown.height_at(x, y); });
+        }
+        return {};
+    }
+
+  private:
+    pigment::LinearImage colours(const shade::SurfaceSamples& surface) const {
+        pigment::LinearImage image{surface.width, surface.height, {}, space_};
+        image.rgb.reserve(3 * surface.samples.size());
+        for (const shade::SurfaceSample& sample : surface.samples)
+            image.rgb.insert(image.rgb.end(), {sample.red, sample.green, sample.blue});
+        return image;
+    }
+
+    const document::Snapshot& seen_;
+    const Sheet& sheet_;
+    Look look_;
+    double scale_top_mm_;
+    pigment::WorkingSpace space_;
+    shade::Renderer renderer_;
+};
+
+/// The ground with the soft shadow of the canvas's edge, as the canvas's shader draws it.
+void paint_ground(QImage& image, const QRect& part, const RasterScene& scene) {
+    constexpr double kReach_px = 9.0, kDarkest = 0.45;
+    const grid::Shape& shape = scene.sight.painting->film.shape;
+    const glm::dvec2 cells{shape.width, shape.height};
+    for (int y = part.top(); y <= part.bottom(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = part.left(); x <= part.right(); ++x) {
+            const glm::dvec2 cell = scene.view.cell_from_device({x + 0.5, y + 0.5});
+            const glm::dvec2 outside_px =
+                scene.view.zoom * glm::max(glm::max(-cell, cell - cells), glm::dvec2(0.0));
+            if (outside_px == glm::dvec2(0.0)) continue;
+            const double shadow = kDarkest * std::exp(-glm::length(outside_px) / kReach_px);
+            line[x] = encoded((1.0 - shadow) * vec3(scene.ground));
+        }
+    }
+}
+
+void paint_part(QImage& image, const QRect& part, const Sheet& sheet, const SheetPainter& painter,
+                bool upright) {
+    const grid::Rect pixels = sheet.pixels_below(part);
+    if (pixels.empty()) return;
+    const double cells_a_row = pixels.width() / (sheet.lattice.scale_x * sheet.lattice.scale_y);
+    const int rows = std::max(1, static_cast<int>(kCellsAtOnce / cells_a_row));
+    for (int y = pixels.y0; y < pixels.y1; y += rows) {
+        const grid::Rect strip{pixels.x0, y, pixels.x1, std::min(y + rows, pixels.y1)};
+        const QImage picture = painter.paint(strip);
+        QPainter onto(&image);
+        onto.setClipRect(part);
+        onto.setRenderHint(QPainter::SmoothPixmapTransform, !upright);
+        onto.setTransform(sheet.to_window);
+        onto.drawImage(QPoint(strip.x0, strip.y0), picture);
+    }
+}
+
+bool same_canvas(const film::FilmState& a, const film::FilmState& b) {
+    return a.shape == b.shape && a.cell_mm == b.cell_mm;
+}
+
+/// Whether the layers of unchanged cells are those of before.
+bool same_light(const Sight& a, const Sight& b) {
+    return a.viewing.to_rgb == b.viewing.to_rgb && a.lighting.azimuth_deg == b.lighting.azimuth_deg &&
+           a.lighting.elevation_deg == b.lighting.elevation_deg;
+}
+
+}  // namespace
+
+bool same_but_paint(const RasterScene& a, RasterScene b) {
+    b.sight.painting = a.sight.painting;
+    return a == b;
+}
+
+void RasterPicture::show(const RasterScene& scene, Quality quality, core::ThreadPool& pool) {
+    const auto seen = ground_.below(scene.sight.painting, scene.sight.tracing, pool);
+    if (seen_ != nullptr && !same_canvas(seen_->film, seen->film)) seen_.reset();
+    if (seen_ == nullptr) light_.reset();
+    const double scale_before_mm = scale_top_mm_;
+    measure_heights(scene, *seen, pool);
+    const QRegion cells = changed_cells(scene, *seen);
+    update_layers(scene, *seen, cells, pool);
+    if (scale_top_mm_ != scale_before_mm) scene_.reset();
+    const QRegion region = changed_pixels(scene, cells);
+    if (image_.size() != scene.window_px) image_ = QImage(scene.window_px, QImage::Format_RGB32);
+    const Sheet sheet(seen->film.shape, scene.view);
+    const SheetPainter painter(scene, *seen, sheet, scale_top_mm_, quality, layers_, pool);
+    for (const QRect& part : region) {
+        paint_part(image_, part, sheet, painter, scene.view.upright());
+        paint_ground(image_, part, scene);
+    }
+    light_ = scene.sight;
+    scene_.reset();
+    if (quality == Quality::Full) scene_ = scene;
+    seen_ = seen;
+}
+
+/// Of the layers; all of them at first, and where the light is another.
+QRegion RasterPicture::changed_cells(const RasterScene& scene, const document::Snapshot& seen) {
+    const std::vector<int> tiles = changed_tiles(seen_.get(), seen);
+    const shade::HeightRange before = range_;
+    ranges_.update(seen.film, tiles);
+    range_ = ranges_.all();
+    if (!light_ || !same_light(*light_, scene.sight))
+        return qt_rect(shade::grown(seen.film.shape.cells(), shade::kLayersAround));
+    return relief_region(seen.film, tiles, scene.sight.lighting, united(before, range_),
+                         shade::kLayersAround);
+}
+
+void RasterPicture::update_layers(const RasterScene& scene, const document::Snapshot& seen,
+                                  const QRegion& changed, core::ThreadPool& pool) {
+    const grid::Rect all = shade::grown(seen.film.shape.cells(), shade::kLayersAround);
+    if (static_cast<double>(all.width()) * all.height() > kMostCellsKept) {
+        layers_ = {};
+        return;
+    }
+    if (layers_.cells != all) layers_ = shade::CellLayers(all);
+    std::vector<grid::Rect> parts;
+    for (const QRect& part : changed)
+        parts.push_back(cell_rect(part));
+    fill_layers(seen.film, seen.ground, parts, scene.sight.lighting, range_, pool,
+                scene.sight.viewing.to_rgb, layers_);
+}
+
+QRegion RasterPicture::changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const {
+    const QRect window(QPoint(0, 0), scene.window_px);
+    if (seen_ == nullptr || !scene_ || !same_but_paint(*scene_, scene)) return window;
+    QRegion region;
+    for (const QRect& part : changed_cells)
+        region += damaged_pixels(scene.view, part);
+    return region & window;
+}
+
+void RasterPicture::measure_heights(const RasterScene& scene, const document::Snapshot& seen,
+                                    core::ThreadPool& pool) {
+    if (scene.sight.look != Look::Height) return;
+    const bool begins = !light_ || light_->look != Look::Height;
+    std::vector<int> tiles(static_cast<std::size_t>(seen.film.shape.tile_count()));
+    std::iota(tiles.begin(), tiles.end(), 0);
+    const double now_mm = highest_mm(look_patches(seen, Look::Height, tiles, pool));
+    highest_mm_ = begins ? now_mm : std::max(highest_mm_, now_mm);
+    scale_top_mm_ = screen::scale_top_mm(highest_mm_);
+}
+
+}  // namespace pastoso::screen

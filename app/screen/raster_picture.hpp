@@ -1,0 +1,60 @@
+// A window's picture of a canvas, made by the processor.
+#pragma once
+
+#include "core/thread_pool.hpp"
+#include "screen/canvas_presenter.hpp"
+#include "screen/quality.hpp"
+#include "screen/view_transform.hpp"
+#include "shade/cell_layers.hpp"
+#include "shade/surface.hpp"
+
+#include <optional>
+
+#include <QImage>
+#include <QRegion>
+
+namespace pastoso::screen {
+
+/// What a picture shows.
+struct RasterScene {
+    Sight sight;
+    ViewTransform view;
+    QSize window_px;
+    Rgb ground{};  ///< around the canvas, encoded
+    friend bool operator==(const RasterScene&, const RasterScene&) = default;
+};
+
+/// Whether nothing but the paint is another.
+bool same_but_paint(const RasterScene& a, RasterScene b);
+
+/// Keeps the latest picture: only what differs from it is made again.
+class RasterPicture {
+  public:
+    /// Makes it one of this scene.
+    void show(const RasterScene& scene, Quality quality, core::ThreadPool& pool);
+
+    const QImage& image() const { return image_; }
+
+    /// Where the scale of Look::Height ends: as high as the paint has been since that look began.
+    double scale_top_mm() const { return scale_top_mm_; }
+
+  private:
+    QRegion changed_cells(const RasterScene& scene, const document::Snapshot& seen);
+    void update_layers(const RasterScene& scene, const document::Snapshot& seen, const QRegion& changed,
+                       core::ThreadPool& pool);
+    QRegion changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const;
+    void measure_heights(const RasterScene& scene, const document::Snapshot& seen,
+                         core::ThreadPool& pool);
+
+    TracingGround ground_;
+    std::optional<RasterScene> scene_;                ///< none while the picture is a draft
+    std::optional<Sight> light_;                      ///< that the layers were made in
+    std::shared_ptr<const document::Snapshot> seen_;  ///< its painting on what is traced
+    shade::TileRanges ranges_;
+    shade::HeightRange range_;
+    shade::CellLayers layers_;  ///< of all cells; of none on canvases that are too large for that
+    double highest_mm_ = 0.0, scale_top_mm_ = 0.1;
+    QImage image_;
+};
+
+}  // namespace pastoso::screen

@@ -1,0 +1,142 @@
+#include "screen/raster_screen.hpp"
+
+#include "core/error.hpp"
+#include "screen/raster_overlay.hpp"
+#include "screen/window_pixels.hpp"
+
+#include <utility>
+
+#include <QPainter>
+
+namespace pastoso::screen {
+namespace {
+
+QColor colour_of(const Rgb& rgb) {
+    return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
+}
+
+/// From the pixels of one view to those of another.
+QTransform moved(const ViewTransform& from, const ViewTransform& to) {
+    const auto lies_at = [&](const glm::dvec2& px) {
+        return to.device_from_cell(from.cell_from_device(px));
+    };
+    const glm::dvec2 origin = lies_at({0.0, 0.0});
+    const glm::dvec2 right = lies_at({1.0, 0.0}) - origin, down = lies_at({0.0, 1.0}) - origin;
+    return {right.x, right.y, down.x, down.y, origin.x, origin.y};
+}
+
+}  // namespace
+
+RasterScreen::RasterScreen(ScreenHost& host, QWidget& parent)
+    : QWidget(&parent),
+      host_(host),
+      worker_([this](Frame& frame) { make(frame); },
+              [this](Frame& frame, const std::string& fault) {
+                  frame.fault = fault;
+                  hand_over(std::move(frame));
+              }) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+}
+
+RasterScene RasterScreen::wanted_scene() const {
+    return {host_.sight(), host_.view_transform(), window_px(*this), ground_colour()};
+}
+
+void RasterScreen::refresh() {
+    RasterScene wanted = wanted_scene();
+    if (wanted.sight.painting != nullptr && !wanted.window_px.isEmpty() && wanted != asked_) {
+        asked_ = wanted;
+        const Quality quality = first_quality(wanted);
+        worker_.replace(Frame{std::move(wanted), quality});
+    }
+    update();
+}
+
+/// A draft where all of the window is another and would hold up the hand.
+Quality RasterScreen::first_quality(const RasterScene& scene) const {
+    constexpr double kMostSamples = 2e6;
+    const double pixels = 1.0 * scene.window_px.width() * scene.window_px.height();
+    const bool quick = pixels * samples_per_pixel(Quality::Full, scene.view.zoom) < kMostSamples;
+    return quick || (frame_ && same_but_paint(frame_->scene, scene)) ? Quality::Full : Quality::Plain;
+}
+
+void RasterScreen::begin_other_canvas() {
+    asked_.reset();
+    refresh();
+}
+
+bool RasterScreen::finished() const {
+    if (host_.sight().painting == nullptr) return true;
+    return frame_ && frame_->quality == Quality::Full && frame_->scene == wanted_scene();
+}
+
+const document::Snapshot* RasterScreen::shown() const {
+    return frame_ ? frame_->scene.sight.painting.get() : nullptr;
+}
+
+void RasterScreen::make(Frame& frame) {
+    picture_.show(frame.scene, frame.quality, pool_);
+    frame.image = picture_.image();
+    frame.scale_top_mm = picture_.scale_top_mm();
+    hand_over(std::move(frame));
+}
+
+void RasterScreen::hand_over(Frame frame) {
+    {
+        const std::lock_guard lock(mutex_);
+        made_ = std::move(frame);
+    }
+    QMetaObject::invokeMethod(this, &RasterScreen::take_frame, Qt::QueuedConnection);
+}
+
+void RasterScreen::take_frame() {
+    std::optional<Frame> made;
+    {
+        const std::lock_guard lock(mutex_);
+        made = std::exchange(made_, std::nullopt);
+    }
+    if (!made) return;
+    if (!made->fault.empty()) throw core::InputError(made->fault);
+    frame_ = std::move(made);
+    if (frame_->scene.sight.look == Look::Height) host_.scale_shown(frame_->scale_top_mm);
+    if (frame_->quality != Quality::Full && frame_->scene == asked_)
+        worker_.replace(Frame{frame_->scene, Quality::Full});
+    refresh();
+}
+
+void RasterScreen::resizeEvent(QResizeEvent*) {
+    refresh();
+}
+
+void RasterScreen::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    draw(painter);
+    host_.frame_shown();
+}
+
+/// What is there lies where it is seen now, until that has been made.
+void RasterScreen::draw(QPainter& painter) {
+    painter.fillRect(rect(), colour_of(ground_colour()));
+    if (!frame_) return;
+    const double point_px = devicePixelRatioF();
+    painter.save();
+    painter.scale(1.0 / point_px, 1.0 / point_px);
+    const QTransform way = moved(frame_->scene.view, host_.view_transform());
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, way.type() > QTransform::TxTranslate);
+    painter.setTransform(way, true);
+    painter.drawImage(QPoint(0, 0), frame_->image);
+    painter.restore();
+    RasterOverlay overlay(painter, point_px);
+    host_.draw_over(*frame_->scene.sight.painting, overlay);
+}
+
+QImage RasterScreen::picture() {
+    QImage image(window_px(*this), QImage::Format_RGB32);
+    image.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&image);
+    draw(painter);
+    return image;
+}
+
+}  // namespace pastoso::screen

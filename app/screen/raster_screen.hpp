@@ -1,0 +1,58 @@
+// A canvas drawn by the processor, where OpenGL is not to be had: slower, and complete.
+#pragma once
+
+#include "core/worker.hpp"
+#include "screen/canvas_screen.hpp"
+#include "screen/raster_picture.hpp"
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace pastoso::screen {
+
+class RasterScreen : public QWidget, public CanvasScreen {
+    Q_OBJECT
+  public:
+    RasterScreen(ScreenHost& host, QWidget& parent);
+
+    QWidget& widget() override { return *this; }
+    void refresh() override;
+    void begin_other_canvas() override;
+    void damage_all() override { refresh(); }
+    bool finished() const override;
+    const document::Snapshot* shown() const override;
+    QImage picture() override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    /// A scene, and its picture once that is made.
+    struct Frame {
+        RasterScene scene;
+        Quality quality = Quality::Full;
+        QImage image{};
+        double scale_top_mm = 0.0;
+        std::string fault{};  ///< in one sentence, instead of the picture
+    };
+
+    RasterScene wanted_scene() const;
+    Quality first_quality(const RasterScene& scene) const;
+    void make(Frame& frame);
+    void hand_over(Frame frame);
+    void take_frame();
+    void draw(QPainter& painter);
+
+    ScreenHost& host_;
+    core::ThreadPool pool_;
+    RasterPicture picture_;  ///< the worker's
+    std::optional<RasterScene> asked_;
+    std::optional<Frame> frame_;  ///< on the screen
+    std::mutex mutex_;
+    std::optional<Frame> made_;   ///< and not on it yet
+    core::Worker<Frame> worker_;  ///< the last: it ends before what it works with
+};
+
+}  // namespace pastoso::screen
