@@ -16,8 +16,10 @@ constexpr double kExpectedPressure = 0.5;
 Paint::Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface surface)
     : canvas_(canvas), easel_(easel), surface_(surface) {
     waiting_.setInterval(kWait_ms);
-    connect(&waiting_, &QTimer::timeout, this, [this] { easel_.wait(0.001 * kWait_ms, surface_); });
-    waiting_.start();
+    connect(&waiting_, &QTimer::timeout, this, [this] {
+        easel_.wait(0.001 * kWait_ms, surface_);
+        if (!easel_.painting()) waiting_.stop();
+    });
 }
 
 void Paint::set_tool(const brush::Preset& tool) {
@@ -43,7 +45,7 @@ Took Paint::press(const input::PointerEvent& event) {
 
 /// In the air, too.
 void Paint::drag(const input::PointerEvent& event) {
-    waiting_.start();
+    if (easel_.painting()) waiting_.start();
     pressure_ = event.pointer.pressure;
     easel_.move(event.pointer);
 }

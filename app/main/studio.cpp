@@ -68,6 +68,8 @@ void Studio::measure(std::shared_ptr<session::FrameTimes> times) {
     times_ = std::move(times);
     session_->measure(times_);
     if (!first) return;
+    connect(canvas_, &view::CanvasView::pointer_heard, this,
+            [this](double device_ms) { times_->heard(device_ms, session::FrameTimes::Clock::now()); });
     connect(canvas_, &view::CanvasView::frame_came, this,
             [this] { times_->presented(canvas_->shown(), session::FrameTimes::Clock::now()); });
 }

@@ -112,7 +112,9 @@ void RasterScreen::resizeEvent(QResizeEvent*) {
 void RasterScreen::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     draw(painter);
-    host_.frame_shown();
+    // When what was drawn has gone to the windowing system.
+    QMetaObject::invokeMethod(
+        this, [this] { host_.frame_shown(); }, Qt::QueuedConnection);
 }
 
 /// What is there lies where it is seen now, until that has been made.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace pastoso::session {
 namespace {
@@ -34,18 +35,29 @@ double Durations::percentile_s(double share) const {
     return *place;
 }
 
+void FrameTimes::heard(double device_ms, Clock::time_point now) {
+    const auto device = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double, std::milli>(device_ms));
+    const Clock::duration behind = now.time_since_epoch() - device;
+    const std::lock_guard lock(mutex_);
+    device_behind_ = std::min(device_behind_.value_or(behind), behind);
+    heard_ = Clock::time_point(device + *device_behind_);
+}
+
 void FrameTimes::posted(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    posted_.push_back(now);
+    posted_.push_back(std::exchange(heard_, std::nullopt).value_or(now));
 }
 
 void FrameTimes::published(std::uint64_t count, const void* snapshot, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
+    Published published{snapshot, now, {}};
     for (; count > 0 && !posted_.empty(); --count) {
         event_to_snapshot_.all_s.push_back(seconds(now - posted_.front()));
+        published.events.push_back(posted_.front());
         posted_.pop_front();
     }
-    published_.push_back({snapshot, now});
+    published_.push_back(std::move(published));
 }
 
 void FrameTimes::presented(const void* snapshot, Clock::time_point now) {
@@ -55,6 +67,9 @@ void FrameTimes::presented(const void* snapshot, Clock::time_point now) {
                      [snapshot](const Published& other) { return other.snapshot == snapshot; });
     if (shown == published_.end()) return;
     snapshot_to_screen_.all_s.push_back(seconds(now - shown->time));
+    for (auto each = published_.begin(); each <= shown; ++each)
+        for (const Clock::time_point event : each->events)
+            event_to_screen_.all_s.push_back(seconds(now - event));
     published_.erase(published_.begin(), shown + 1);
 }
 
@@ -66,6 +81,11 @@ void FrameTimes::quiet_tick(double seconds) {
 Durations FrameTimes::event_to_snapshot() const {
     const std::lock_guard lock(mutex_);
     return event_to_snapshot_;
+}
+
+Durations FrameTimes::event_to_screen() const {
+    const std::lock_guard lock(mutex_);
+    return event_to_screen_;
 }
 
 Durations FrameTimes::snapshot_to_screen() const {
@@ -80,7 +100,7 @@ Durations FrameTimes::quiet_ticks() const {
 
 std::string FrameTimes::table() const {
     return "ms                      count    median       95%       99%   longest\n" +
-           row("event to snapshot", event_to_snapshot()) +
+           row("event to snapshot", event_to_snapshot()) + row("event to screen", event_to_screen()) +
            row("snapshot to screen", snapshot_to_screen()) + row("tick without paint", quiet_ticks());
 }
 

@@ -41,6 +41,9 @@ std::vector<std::string> known_paints(const document::Recording& past) {
 /// programs bring it to a stand.
 constexpr int kNice = 3;
 
+/// Paint at rest is looked after so often.
+constexpr auto kRest = std::chrono::seconds(3);
+
 /// Until the painting's present tick; of a new painting, nothing.
 document::Recording past_of(const document::Painting& painting, document::Recording past) {
     if (past.events.empty()) past = {.canvas = painting.settings(), .events = {}};
@@ -259,6 +262,7 @@ void PaintSession::run() {
 
 void PaintSession::work() {
     apply_budget();
+    if (at_rest_) pass_rest();
     apply_posted();
     apply_due_replay();
     hand_out_capture();
@@ -268,6 +272,25 @@ void PaintSession::work() {
     if (journal_) keep_journal();
     if (changed_ && !may_wait()) publish();
     if (ticked) measure_quiet_tick(begin);
+    note_rest();
+}
+
+/// The ticks of paint at rest are not waited for one by one: they are passed together, before anything
+/// else happens.
+void PaintSession::pass_rest() {
+    const auto now = WallClock::now();
+    while (clock_.due(now) && painting_->film_report().awake_tiles == 0) {
+        const auto due = clock_.next(), begin = WallClock::now();
+        pass_tick([] { return false; });
+        clock_.tick_ended(due, due, true);
+        measure_quiet_tick(begin);
+    }
+}
+
+void PaintSession::note_rest() {
+    const std::lock_guard lock(mutex_);
+    at_rest_ = !paused_ && speed_ == 1.0 && !replay_waits() && !painting_->stroke_in_progress() &&
+               painting_->film_report().awake_tiles == 0;
 }
 
 /// What fails once would fail again with every tick. Whoever waits has waited long enough.
@@ -313,7 +336,10 @@ bool PaintSession::wait_for_work() {
             work_.wait(lock, wakes);
         if (!paused_) clock_.restart(WallClock::now());
     } else {
-        work_.wait_until(lock, clock_.next(), [&] { return ready() || paused_; });
+        const auto wakes = [&] {
+            return ready() || paused_ || (at_rest_ && (replay_waits() || speed_ != 1.0));
+        };
+        work_.wait_until(lock, clock_.next() + (at_rest_ ? kRest : WallClock::duration::zero()), wakes);
     }
     clock_.hand_moved(hand_moved_);
     hurries_ = replay_is_hurried_ && replay_waits();
@@ -414,7 +440,7 @@ void PaintSession::try_to_begin_journal() {
 }
 
 void PaintSession::keep_journal() {
-    journal_->note_tick(painting_->tick());
+    journal_->note_tick(painting_->tick(), painting_->film_report().awake_tiles > 0);
     const document::StageTimes times = painting_->stage_times();
     const double work_s = times.brush_s + times.film_s;
     if (!painting_->stroke_in_progress() && journal_->wants_checkpoint(work_s))
@@ -429,15 +455,21 @@ bool PaintSession::advance_if_due() {
     }
     const auto begin = WallClock::now();
     if (!clock_.due(begin)) return false;
-    const std::int64_t cells_before = painting_->film_report().cells_stepped;
-    const bool passed = painting_->advance_tick_unless(
-        [&] { return action_waits_ && WallClock::now() - begin > kFeltDelay; });
+    const bool passed =
+        pass_tick([&] { return action_waits_ && WallClock::now() - begin > kFeltDelay; });
     clock_.tick_ended(begin, WallClock::now(), passed);
-    // Ticks of paint at rest change nothing that anybody sees; twice a second is often enough for them.
-    constexpr std::int64_t kQuietTicks = 30;
+    return true;
+}
+
+/// False where it was cancelled.
+bool PaintSession::pass_tick(const std::function<bool()>& cancelled) {
+    const std::int64_t cells_before = painting_->film_report().cells_stepped;
+    const bool passed = painting_->advance_tick_unless(cancelled);
+    // Ticks of paint at rest change nothing that anybody sees but that it dries.
+    constexpr std::int64_t kQuietTicks = 180;
     changed_ = changed_ || painting_->film_report().cells_stepped != cells_before ||
                painting_->tick() % kQuietTicks == 0;
-    return true;
+    return passed;
 }
 
 void PaintSession::publish() {

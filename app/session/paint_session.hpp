@@ -160,6 +160,9 @@ class PaintSession {
     void apply_due_replay();
     void apply(const document::Action& action);
     bool advance_if_due();
+    bool pass_tick(const std::function<bool()>& cancelled);
+    void pass_rest();
+    void note_rest();
     void publish();
     bool may_wait() const;
     double speed_now() const;
@@ -183,6 +186,7 @@ class PaintSession {
     TickClock clock_;
     std::int64_t strokes_ = 0;
     std::int64_t changes_ = 0;
+    bool at_rest_ = false;  ///< nothing happens but that time passes
     bool changed_ = false;
     bool steps_changed_ = false;
     bool hurries_ = false;

@@ -29,6 +29,7 @@ void CanvasView::hear(const input::PointerEvent& event) {
     const auto verdict = arbiter_.judge(event);
     if (verdict == input::Arbiter::Verdict::Ignore) return;
     if (verdict == input::Arbiter::Verdict::TakeOver) drop_fingers();
+    Q_EMIT pointer_heard(static_cast<double>(event.pointer.time_ms));
     if (event.is_pen() || event.kind == input::Kind::Press)
         Q_EMIT pen_used(event.device == input::Device::Eraser);
     const int notches = event.wheel ? wheel_.moved_to(*event.wheel) : 0;

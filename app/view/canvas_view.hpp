@@ -117,6 +117,8 @@ class CanvasView : public QWidget, private screen::ScreenHost {
   Q_SIGNALS:
     /// A frame has come to the screen.
     void frame_came();
+    /// A mouse or a pen did something, at this time of the device's own clock.
+    void pointer_heard(double device_ms);
     /// OpenGL has failed, in one sentence, and from now on the processor draws.
     void fell_back(const QString& sentence);
 

@@ -22,8 +22,9 @@ constexpr const char* kStartFile = "start.pastoso";
 /// A batch of more is written in several frames: a frame stays small enough to be read.
 constexpr std::size_t kMostBatchEvents = 4096;
 
-/// Time that passes without actions is written four times a second.
-constexpr std::int64_t kQuietTicks = 15;
+/// Time that passes without actions is written four times a second while paint moves, and every ten
+/// seconds while it rests.
+constexpr std::int64_t kQuietTicks = 15, kRestTicks = 600;
 
 Header header_of(const Beginning& beginning) {
     return {.program = PASTOSO_VERSION,
@@ -91,12 +92,15 @@ JournalWriter::JournalWriter(const std::filesystem::path& root, const Beginning&
       tick_(beginning.tick),
       written_tick_(beginning.tick),
       checkpoints_(claim_.folder(), [this](const Checkpoint& checkpoint, const std::string& error) {
-          const std::lock_guard lock(mutex_);
-          if (error.empty()) pending_frames_.push_back(checkpoint_frame(checkpoint));
-          checkpoint_failed_ = !error.empty();
-          note_trouble(
-              checkpoint_trouble_,
-              {.reason = error, .disk_is_full = is_almost_full(folder()), .strokes_are_kept = true});
+          {
+              const std::lock_guard lock(mutex_);
+              if (error.empty()) pending_frames_.push_back(checkpoint_frame(checkpoint));
+              checkpoint_failed_ = !error.empty();
+              note_trouble(
+                  checkpoint_trouble_,
+                  {.reason = error, .disk_is_full = is_almost_full(folder()), .strokes_are_kept = true});
+          }
+          wake_.notify_all();
       }) {
     try {
         if (beginning.write_start) beginning.write_start(folder() / kStartFile);
@@ -133,14 +137,28 @@ void JournalWriter::note(const document::Event& event) {
     ++events_;
     since_checkpoint_.note(event.action);
     painted_since_ = painted_since_ || document::traits_of(event.action).changes_painting;
-    const std::lock_guard lock(mutex_);
-    pending_.push_back(event);
-    tick_ = event.tick;
+    {
+        const std::lock_guard lock(mutex_);
+        pending_.push_back(event);
+        tick_ = event.tick;
+    }
+    wake_.notify_all();
 }
 
-void JournalWriter::note_tick(std::int64_t tick) {
-    const std::lock_guard lock(mutex_);
-    tick_ = tick;
+void JournalWriter::note_tick(std::int64_t tick, bool paint_moves) {
+    bool wakes = false;
+    {
+        const std::lock_guard lock(mutex_);
+        tick_ = tick;
+        paint_moves_ = paint_moves;
+        wakes = time_is_due();
+    }
+    if (wakes) wake_.notify_all();
+}
+
+/// The lock is held.
+bool JournalWriter::time_is_due() const {
+    return tick_ - written_tick_ >= (paint_moves_ ? kQuietTicks : kRestTicks);
 }
 
 bool JournalWriter::wants_checkpoint(double work_s) const {
@@ -162,8 +180,11 @@ void JournalWriter::write_checkpoint(document::PaintingState state, double work_
 }
 
 void JournalWriter::note_saved(const std::filesystem::path& path, std::uint64_t events) {
-    const std::lock_guard lock(mutex_);
-    pending_frames_.push_back(saved_frame({path.string(), events}));
+    {
+        const std::lock_guard lock(mutex_);
+        pending_frames_.push_back(saved_frame({path.string(), events}));
+    }
+    wake_.notify_all();
 }
 
 void JournalWriter::discard() {
@@ -176,10 +197,18 @@ void JournalWriter::run() {
     std::unique_lock lock(mutex_);
     while (!stopping_) {
         write_pending(lock);
+        wait_for_more(lock);
         const double pause_s = strokes_trouble_.reason.empty() ? pace_.flush_s : pace_.retry_s;
         wake_.wait_for(lock, std::chrono::duration<double>(pause_s), [this] { return stopping_; });
     }
     write_pending(lock);
+}
+
+/// Until something is to be written.
+void JournalWriter::wait_for_more(std::unique_lock<std::mutex>& lock) {
+    wake_.wait(lock, [this] {
+        return stopping_ || !pending_.empty() || !pending_frames_.empty() || time_is_due();
+    });
 }
 
 /// What the start was copied from may not outlive it. Where a folder cannot be flushed (some network
@@ -198,8 +227,8 @@ void JournalWriter::flush_start() {
 /// What could not be written is tried again with the next batch.
 void JournalWriter::write_pending(std::unique_lock<std::mutex>& lock) {
     const bool time_alone = pending_.empty() && pending_frames_.empty();
-    const std::int64_t least_ticks = stopping_ ? 1 : kQuietTicks;
-    if (discarded_ || (time_alone && tick_ - written_tick_ < least_ticks)) return;
+    const bool worth_it = !time_alone || time_is_due() || (stopping_ && tick_ > written_tick_);
+    if (discarded_ || !worth_it) return;
     std::vector<document::Event> events = std::exchange(pending_, {});
     std::vector<std::string> frames = std::exchange(pending_frames_, {});
     const std::int64_t tick = tick_;

@@ -74,8 +74,8 @@ class JournalWriter {
 
     /// The action was applied; ticks do not decrease.
     void note(const document::Event& event);
-    /// So many ticks have passed.
-    void note_tick(std::int64_t tick);
+    /// So many ticks have passed; where no paint moves, that is written less often.
+    void note_tick(std::int64_t tick, bool paint_moves = true);
     /// How many actions were noted.
     std::uint64_t events() const { return events_; }
     /// Whether the state of the painting, between two strokes, should be given to write_checkpoint().
@@ -95,6 +95,8 @@ class JournalWriter {
     using Clock = std::chrono::steady_clock;
 
     void run();
+    bool time_is_due() const;
+    void wait_for_more(std::unique_lock<std::mutex>& lock);
     void write_pending(std::unique_lock<std::mutex>& lock);
     std::string pending_frames(document::Recording batch, std::uint64_t first_event,
                                const std::vector<std::string>& frames) const;
@@ -127,6 +129,7 @@ class JournalWriter {
     std::vector<std::string> pending_frames_;  ///< of checkpoints and saves, after the actions
     std::uint64_t written_events_ = 0;         ///< and how many of them are in the file
     std::int64_t tick_ = 0, written_tick_ = 0;
+    bool paint_moves_ = false;
     Trouble strokes_trouble_, checkpoint_trouble_;  ///< without a reason: none
     bool discarded_ = false;
     bool stopping_ = false;

@@ -1,5 +1,7 @@
 #include "session/frame_times.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 namespace pastoso::session {
@@ -12,6 +14,14 @@ using testing::IsEmpty;
 
 FrameTimes::Clock::time_point at_ms(int ms) {
     return FrameTimes::Clock::time_point(milliseconds(ms));
+}
+
+/// Rounded.
+std::vector<long> ms(const Durations& durations) {
+    std::vector<long> rounded;
+    for (const double s : durations.all_s)
+        rounded.push_back(std::lround(1000.0 * s));
+    return rounded;
 }
 
 TEST(Durations, PercentilesAreTheNearestRanks) {
@@ -48,6 +58,33 @@ TEST(FrameTimes, ASnapshotThatIsPassedOverIsNeverOnTheScreen) {
     EXPECT_THAT(times.snapshot_to_screen().all_s, ElementsAre(DoubleNear(0.016, 1e-9)));
     times.presented(&later, at_ms(30));
     EXPECT_EQ(times.snapshot_to_screen().all_s.size(), 2U);
+}
+
+TEST(FrameTimes, WhatWaitsInTheQueueIsWaitedFor) {
+    FrameTimes times;
+    // The device counts from elsewhere; its first event is heard at once.
+    times.heard(7000.0, at_ms(100));
+    times.posted(at_ms(101));
+    times.heard(7010.0, at_ms(150));
+    times.posted(at_ms(151));
+    times.posted(at_ms(152));  // of no event
+    int snapshot = 0;
+    times.published(3, &snapshot, at_ms(160));
+    EXPECT_THAT(ms(times.event_to_snapshot()), ElementsAre(60, 50, 8));
+    times.presented(&snapshot, at_ms(170));
+    EXPECT_THAT(ms(times.event_to_screen()), ElementsAre(70, 60, 18));
+    EXPECT_THAT(ms(times.snapshot_to_screen()), ElementsAre(10));
+}
+
+TEST(FrameTimes, WhatWasPassedOverIsOnTheScreenWithWhatFollows) {
+    FrameTimes times;
+    times.posted(at_ms(10));
+    times.posted(at_ms(20));
+    int first = 0, second = 0;
+    times.published(1, &first, at_ms(22));
+    times.published(1, &second, at_ms(24));
+    times.presented(&second, at_ms(30));
+    EXPECT_THAT(ms(times.event_to_screen()), ElementsAre(20, 10));
 }
 
 TEST(FrameTimes, TheTableTellsCountsAndMilliseconds) {

@@ -6,6 +6,7 @@
 #include "recordings/recording_json.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <new>
@@ -261,6 +262,26 @@ TEST(PaintSession, TimePassesAsUsualUnderAStroke) {
     EXPECT_TRUE(speed_is(20.0));
     session->set_speed(1.0);
     EXPECT_TRUE(speed_is(1.0));
+}
+
+/// Ticks are passed together there; what is done falls on the tick of its moment all the same.
+TEST(PaintSession, ACanvasAtRestKeepsTime) {
+    const auto session = start_session();
+    session->wait_until_applied();
+    const auto begin = std::chrono::steady_clock::now();
+    constexpr std::chrono::milliseconds kStep(180);
+    for (int i = 1; i <= 5; ++i) {
+        std::this_thread::sleep_until(begin + i * kStep);
+        session->post(UseMedium{i % 2 == 0 ? "stand oil" : "soft-body acrylic"});
+    }
+    session->wait_until_applied();
+    const auto events = session->recording().events;
+    ASSERT_EQ(events.size(), 5U);
+    for (int i = 1; i < 5; ++i) {
+        const double passed_s = kTick_s * static_cast<double>(events[i].tick - events[0].tick);
+        const double asked_s = 1e-3 * static_cast<double>(i * kStep.count());
+        EXPECT_GT(passed_s, 0.5 * asked_s);
+    }
 }
 
 TEST(PaintSession, APastBringsThePaintsThatAreKnown) {

@@ -69,16 +69,6 @@ TEST(Program, SaysTheSameOfADisplayThatIsDead) {
     EXPECT_THAT(outcome.output, HasSubstr(":4711"));
 }
 
-TEST(ProgramWithDisplay, DrawsWithoutOpenGl) {
-    const TemporaryFolder folder;
-    const std::string picture = (folder.path() / "window.png").string();
-    const Outcome outcome =
-        run("XDG_CONFIG_HOME=" + folder.path().string() + " QT_XCB_GL_INTEGRATION=none",
-            "--after 0.1 --screenshot " + picture);
-    EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
-    EXPECT_TRUE(std::filesystem::exists(picture));
-}
-
 TEST(Program, RefusesUnknownArguments) {
     for (const auto& [arguments, unknown] :
          {std::pair{"--no-such-option", "--no-such-option"}, std::pair{"a.json b.json", "b.json"}}) {
@@ -111,6 +101,16 @@ TEST_F(ProgramWithDisplay, TakesNoPictureOfARecordingThatItCannotRead) {
     EXPECT_EQ(malformed.exit_status, 1);
     expect_one_sentence(malformed.output);
     EXPECT_THAT(malformed.output, HasSubstr("broken.json"));
+}
+
+TEST_F(ProgramWithDisplay, DrawsWithoutOpenGl) {
+    const TemporaryFolder folder;
+    const std::string picture = (folder.path() / "window.png").string();
+    const Outcome outcome =
+        run("XDG_CONFIG_HOME=" + folder.path().string() + " QT_XCB_GL_INTEGRATION=none",
+            "--after 0.1 --screenshot " + picture);
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.output;
+    EXPECT_TRUE(std::filesystem::exists(picture));
 }
 
 TEST_F(ProgramWithDisplay, OpensItsWindowWhateverItIsToBeginWith) {

@@ -19,8 +19,11 @@ KeepingUp::KeepingUp(Studio& studio, panels::StatusReadings* readings)
     connect(notice_, &panels::PaceNotice::sentence_changed, this, &KeepingUp::show);
     constexpr int kInterval_ms = 250;
     connect(&looked_at_, &QTimer::timeout, this, &KeepingUp::look);
+    looked_at_.setInterval(kInterval_ms);
+    connect(&studio_, &Studio::published, this, [this](const auto&, const session::Status& status) {
+        if (status.awake_tiles > 0 && !looked_at_.isActive()) looked_at_.start();
+    });
     clock_.start();
-    looked_at_.start(kInterval_ms);
 }
 
 panels::PaceNotice* KeepingUp::make_notice() const {
@@ -37,7 +40,9 @@ panels::PaceNotice* KeepingUp::make_notice() const {
 }
 
 void KeepingUp::look() {
-    notice_->look(studio_.session().status(), 1e-3 * static_cast<double>(clock_.elapsed()));
+    const session::Status status = studio_.session().status();
+    notice_->look(status, 1e-3 * static_cast<double>(clock_.elapsed()));
+    if (status.awake_tiles == 0 && notice_->sentence().isEmpty()) looked_at_.stop();
 }
 
 /// Messages pass in the same place, and have it first.
