@@ -56,21 +56,34 @@ class HandWindow : public WindowTest {
         canvas().set_pen(pen);
     }
 
-    /// Places of the latest stroke's samples, as the painting was told of them.
-    std::vector<glm::dvec2> latest_stroke_mm() {
+    std::int64_t strokes() {
         session().wait_until_applied();
-        std::vector<glm::dvec2> places;
-        const auto add = [&](const brush::PenSample& sample) {
-            places.emplace_back(sample.x_mm, sample.y_mm);
-        };
+        return session().status().strokes;
+    }
+
+    /// The latest stroke's samples, as the painting was told of them.
+    std::vector<brush::PenSample> latest_stroke() {
+        session().wait_until_applied();
+        std::vector<brush::PenSample> samples;
         for (const document::Event& event : session().recording().events) {
-            if (const auto* down = std::get_if<document::PenDown>(&event.action)) {
-                places.clear();
-                add(down->sample);
-            }
-            if (const auto* move = std::get_if<document::PenMove>(&event.action)) add(move->sample);
+            if (const auto* down = std::get_if<document::PenDown>(&event.action))
+                samples = {down->sample};
+            if (const auto* move = std::get_if<document::PenMove>(&event.action))
+                samples.push_back(move->sample);
         }
+        return samples;
+    }
+    std::vector<glm::dvec2> latest_stroke_mm() {
+        std::vector<glm::dvec2> places;
+        for (const brush::PenSample& sample : latest_stroke())
+            places.emplace_back(sample.x_mm, sample.y_mm);
         return places;
+    }
+    std::vector<double> latest_stroke_s() {
+        std::vector<double> times_s;
+        for (const brush::PenSample& sample : latest_stroke())
+            times_s.push_back(sample.time_s);
+        return times_s;
     }
 
     QPointingDevice* screen_ = nullptr;
@@ -92,7 +105,7 @@ TEST_F(HandWindow, APalmNeitherEndsNorBendsThePensStroke) {
     pen_at({35.0, 20.0}, Qt::NoButton, pen);
     EXPECT_FALSE(studio().easel().painting());
     EXPECT_EQ(canvas().view_transform(), view);
-    EXPECT_EQ(session().status().strokes, 1);
+    EXPECT_EQ(strokes(), 1);
     for (const glm::dvec2& place : latest_stroke_mm())
         EXPECT_NEAR(place.y, 20.0, 1e-6);
 }
@@ -109,7 +122,7 @@ TEST_F(HandWindow, APenTakesOverFromAFingerThatMovesTheCanvas) {
     EXPECT_EQ(canvas().view_transform(), view);
     touch().release(0, from + QPoint(90, 40));
     pen_at({25.0, 20.0}, Qt::NoButton, pen);
-    EXPECT_EQ(session().status().strokes, 1);
+    EXPECT_EQ(strokes(), 1);
     EXPECT_GT(volume_mm3(), 1.0);
 }
 
@@ -176,7 +189,7 @@ TEST_F(HandWindow, AFingerThatIsHeldPicksPaint) {
     wait_for([&] { return studio().easel().hand().paint.ingredients.front().pigment == "PB29"; });
     touch().move(0, at(45.0, 30.0));
     touch().release(0, at(45.0, 30.0));
-    EXPECT_EQ(session().status().strokes, 1);
+    EXPECT_EQ(strokes(), 1);
 }
 
 TEST_F(HandWindow, AFingerDragsHandlesEvenWhereItDoesNotPaint) {
@@ -213,6 +226,20 @@ TEST_F(HandWindow, AButtonHeldByAccidentDoesNotKeepTheTipFromPainting) {
     pen_at({35.0, 20.0}, Qt::NoButton, pen);
     EXPECT_GT(volume_mm3(), 1.0);
     EXPECT_FALSE(studio().easel().painting());
+}
+
+TEST_F(HandWindow, APenOfAThousandSamplesASecondLosesNoneThatWaited) {
+    const std::vector<glm::dvec2> path = line_mm({10.0, 10.0}, {50.0, 30.0}, 1000);
+    pen_stroke_at_once(path, {}, 1);
+    const std::vector<glm::dvec2> told = latest_stroke_mm();
+    ASSERT_EQ(told.size(), path.size() + 1);  // the place where it lifts
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        EXPECT_NEAR(told[i].x, path[i].x, 1e-6);
+        EXPECT_NEAR(told[i].y, path[i].y, 1e-6);
+    }
+    const std::vector<double> times_s = latest_stroke_s();
+    for (std::size_t i = 1; i < path.size(); ++i)
+        EXPECT_NEAR(times_s[i] - times_s[i - 1], 0.001, 1e-9);
 }
 
 TEST_F(HandWindow, TheWheelOfAnAirbrushMakesTheBrushWider) {

@@ -195,13 +195,29 @@ void WindowTest::pen_at(const glm::dvec2& place_mm, Qt::MouseButtons buttons, co
 
 void WindowTest::pen_over(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons,
                           const Pen& pen) {
+    send_pen(widget, place, buttons, pen, next_time_ms());
+    QApplication::processEvents();
+}
+
+void WindowTest::send_pen(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons,
+                          const Pen& pen, unsigned long time_ms) {
     QWindow* handle = widget.window()->windowHandle();
     const QPointF global = widget.mapToGlobal(place);
     QWindowSystemInterface::handleTabletEvent(
-        handle, next_time_ms(), pen.eraser_end ? eraser_end() : stylus(),
+        handle, time_ms, pen.eraser_end ? eraser_end() : stylus(),
         QHighDpi::toNativeLocalPosition(handle->mapFromGlobal(global), handle),
         QHighDpi::toNativeGlobalPosition(global, handle), buttons, pen.pressure, pen.tilt_x_deg,
         pen.tilt_y_deg, 0.0, 0.0, 0);
+}
+
+void WindowTest::pen_stroke_at_once(const std::vector<glm::dvec2>& path_mm, const Pen& pen,
+                                    int sample_ms) {
+    const unsigned long start_ms = next_time_ms();
+    for (std::size_t i = 0; i <= path_mm.size(); ++i) {
+        const bool down = i < path_mm.size();
+        send_pen(canvas(), canvas().widget_position(path_mm[down ? i : i - 1]),
+                 down ? Qt::LeftButton : Qt::NoButton, pen, start_ms + sample_ms * i);
+    }
     QApplication::processEvents();
 }
 

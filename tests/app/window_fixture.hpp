@@ -42,6 +42,10 @@ class WindowTest : public ::testing::Test {
     };
     void pen_stroke(const std::vector<glm::dvec2>& path_mm, const Pen& pen);
 
+    /// The same by a pen that tells its place every so many milliseconds, while the window is busy with
+    /// something else: it hears of all of it afterwards.
+    void pen_stroke_at_once(const std::vector<glm::dvec2>& path_mm, const Pen& pen, int sample_ms);
+
     /// One event of the pen over the canvas; a button that was not down before is pressed.
     void pen_at(const glm::dvec2& place_mm, Qt::MouseButtons buttons, const Pen& pen);
     /// The same over any widget, at a place of its own.
@@ -78,6 +82,9 @@ class WindowTest : public ::testing::Test {
     std::filesystem::path settings_file() const;
 
   private:
+    void send_pen(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons, const Pen& pen,
+                  unsigned long time_ms);
+
     TemporaryFolder home_;
     bool own_data_ = false;  ///< XDG_DATA_HOME is this fixture's
     std::unique_ptr<main::MainWindow> window_;
