@@ -43,7 +43,9 @@ RasterScene RasterScreen::wanted_scene() const {
     return {host_.sight(), host_.view_transform(), window_px(*this), ground_colour()};
 }
 
+/// What nobody sees is not drawn.
 void RasterScreen::refresh() {
+    if (!isVisible()) return;
     RasterScene wanted = wanted_scene();
     if (wanted.sight.painting != nullptr && !wanted.window_px.isEmpty() && wanted != asked_) {
         asked_ = wanted;
@@ -106,6 +108,10 @@ void RasterScreen::take_frame() {
 }
 
 void RasterScreen::resizeEvent(QResizeEvent*) {
+    refresh();
+}
+
+void RasterScreen::showEvent(QShowEvent*) {
     refresh();
 }
 

@@ -27,6 +27,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
   protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
   private:
     /// A scene, and its picture once that is made.
