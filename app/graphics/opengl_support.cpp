@@ -4,6 +4,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QString>
+#include <QSurfaceFormat>
 
 namespace pastoso::graphics {
 namespace {
@@ -46,6 +47,14 @@ OpenGlSupport found_support() {
 }
 
 }  // namespace
+
+void ask_for_opengl() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::ResetNotification);
+    QSurfaceFormat::setDefaultFormat(format);
+}
 
 const OpenGlSupport& opengl_support() {
     static const OpenGlSupport support = found_support();

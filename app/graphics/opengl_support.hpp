@@ -5,6 +5,10 @@
 
 namespace pastoso::graphics {
 
+/// Every context from now on is of OpenGL 3.3, and tells when it is lost. Before there is an
+/// application.
+void ask_for_opengl();
+
 struct OpenGlSupport {
     std::string problem;  ///< why it cannot be used, as one sentence; empty when it can
     std::string renderer, vendor, version, shading_language;

@@ -7,6 +7,7 @@
 #include "crash/crash_guard.hpp"
 #include "crash/crash_reports.hpp"
 #include "dialogs/crash_dialog.hpp"
+#include "graphics/opengl_support.hpp"
 #include "main/arguments.hpp"
 #include "main/main_window.hpp"
 #include "main/program/application.hpp"
@@ -23,22 +24,12 @@
 
 #include <QApplication>
 #include <QPixmap>
-#include <QSurfaceFormat>
 #include <QTimer>
 
 namespace {
 
 using pastoso::main::Arguments;
 using pastoso::main::MainWindow;
-
-void ask_for_opengl() {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setOption(QSurfaceFormat::ResetNotification);
-    format.setSwapInterval(1);
-    QSurfaceFormat::setDefaultFormat(format);
-}
 
 int fail(const std::string& sentence) {
     std::fprintf(stderr, "pastoso: %s\n", pastoso::core::printable(sentence).c_str());
@@ -117,7 +108,7 @@ int start(int argc, char** argv) {
     const auto [arguments, exit_status] = pastoso::main::parse_arguments(argc, argv);
     if (exit_status) return *exit_status;
     pastoso::core::check_isa_request();
-    ask_for_opengl();
+    pastoso::graphics::ask_for_opengl();
     pastoso::main::expect_display();
     pastoso::main::Application application(argc, argv);
     pastoso::main::display_found();

@@ -53,4 +53,11 @@ QRegion damaged_pixels(const ViewTransform& view, const QRect& cells) {
     return region;
 }
 
+QRegion damaged_pixels(const ViewTransform& view, const QRegion& cells) {
+    QRegion region;
+    for (const QRect& part : cells)
+        region += damaged_pixels(view, part);
+    return region;
+}
+
 }  // namespace pastoso::screen

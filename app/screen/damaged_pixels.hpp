@@ -11,5 +11,6 @@ namespace pastoso::screen {
 /// reach it. Of a canvas that is turned askew they are cut into strips, or a long row of cells would
 /// have the whole window shaded.
 QRegion damaged_pixels(const ViewTransform& view, const QRect& cells);
+QRegion damaged_pixels(const ViewTransform& view, const QRegion& cells);
 
 }  // namespace pastoso::screen

@@ -39,7 +39,7 @@ QRegion moved_window(const ViewTransform& from, const ViewTransform& to, const Q
     for (const QPoint& corner :
          {window.topLeft(), window.topRight() + QPoint(1, 0), window.bottomRight() + QPoint(1, 1),
           window.bottomLeft() + QPoint(0, 1)}) {
-        const glm::dvec2 px = to.device_from_cell(from.cell_from_device({corner.x(), corner.y()}));
+        const glm::dvec2 px = moved_px(from, to, {corner.x(), corner.y()});
         corners << QPointF(px.x, px.y);
     }
     const QRegion all = QRegion(corners.toPolygon());
@@ -199,7 +199,7 @@ void GlScreen::upload_changes() {
     QRegion cells;
     while (left_s() > 0.0 && (upload_.active() || begin_upload()))
         if (upload_.go_on(left_s(), textures_, cells)) finish_upload();
-    if (shown_ != nullptr) plan_.add_damage(damaged_region(cells));
+    if (shown_ != nullptr) plan_.add_damage(damaged_pixels(host_.view_transform(), cells));
     if (upload_.active() || !presentations_.empty()) update();
     take_presentation({});
     ask_presenter();
@@ -267,14 +267,6 @@ void GlScreen::show_heights(const std::vector<LookPatch>& patches, bool begins) 
     scale_top_mm_ = scale_top_mm(highest_mm_);
     host_.scale_shown(scale_top_mm_);
     damage_all();
-}
-
-/// Where the screen may change: the changed cells and those whose splines reach them.
-QRegion GlScreen::damaged_region(const QRegion& cells) const {
-    QRegion region;
-    for (const QRect& part : cells)
-        region += damaged_pixels(host_.view_transform(), part);
-    return region;
 }
 
 double GlScreen::shade_job(const ShadingPlan::Job& job) {

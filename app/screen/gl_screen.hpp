@@ -53,7 +53,6 @@ class GlScreen : public graphics::GraphicsWidget, public CanvasScreen {
     QRegion outlined_region() const;
     void show_heights(const std::vector<LookPatch>& patches, bool begins);
     double shade_job(const ShadingPlan::Job& job);
-    QRegion damaged_region(const QRegion& cells) const;
     grid::Rect cells_in_window() const;
 
     ScreenHost& host_;

@@ -91,11 +91,9 @@ void PictureBuffer::move(const ViewTransform& from, const ViewTransform& to, con
     if (move_program_ == nullptr)
         move_program_ = graphics::shader_program(kCanvasVertexShader, kMovedFragmentShader);
     if (spare_ == nullptr) spare_ = std::make_unique<QOpenGLFramebufferObject>(size_);
-    const auto was_at = [&](const glm::dvec2& px) {
-        return from.device_from_cell(to.cell_from_device(px));
-    };
-    const glm::dvec2 origin = was_at({0.0, 0.0});
-    const glm::dmat2 per_px{was_at({1.0, 0.0}) - origin, was_at({0.0, 1.0}) - origin};
+    const glm::dvec2 origin = moved_px(to, from, {0.0, 0.0});
+    const glm::dmat2 per_px{moved_px(to, from, {1.0, 0.0}) - origin,
+                            moved_px(to, from, {0.0, 1.0}) - origin};
     spare_->bind();
     gl_->glViewport(0, 0, size_.width(), size_.height());
     gl_->glDisable(GL_BLEND);

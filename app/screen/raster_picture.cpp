@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <QPainter>
@@ -31,8 +30,7 @@ constexpr double kMostCellsKept = 12e6;
 /// the sheet's pixels are the window's.
 struct Sheet {
     shade::Lattice lattice;
-    glm::dvec2 shift_px{};   ///< of the canvas's corner from the sheet's
-    QTransform to_window{};  ///< from its pixels
+    QTransform to_window;  ///< from its pixels
 
     Sheet(const grid::Shape& canvas, const ViewTransform& view);
 
@@ -43,7 +41,8 @@ struct Sheet {
 Sheet::Sheet(const grid::Shape& canvas, const ViewTransform& view) {
     const glm::dmat2 axes = view.axes();
     const glm::dvec2 along_axes = glm::transpose(axes) * view.origin_px;
-    shift_px = along_axes - glm::floor(along_axes);
+    // Of the canvas's corner from the sheet's.
+    const glm::dvec2 shift_px = along_axes - glm::floor(along_axes);
     lattice = {-shift_px.x / view.zoom,
                -shift_px.y / view.zoom,
                view.zoom,
@@ -247,8 +246,9 @@ void RasterPicture::show(const RasterScene& scene, Quality quality, core::Thread
     if (seen_ != nullptr && !same_canvas(seen_->film, seen->film)) seen_.reset();
     if (seen_ == nullptr) light_.reset();
     const double scale_before_mm = scale_top_mm_;
-    measure_heights(scene, *seen, pool);
-    const QRegion cells = changed_cells(scene, *seen);
+    const std::vector<int> tiles = changed_tiles(seen_.get(), *seen);
+    measure_heights(scene, *seen, tiles, pool);
+    const QRegion cells = changed_cells(scene, *seen, tiles);
     update_layers(scene, *seen, cells, pool);
     if (scale_top_mm_ != scale_before_mm) scene_.reset();
     const QRegion region = changed_pixels(scene, cells);
@@ -266,8 +266,8 @@ void RasterPicture::show(const RasterScene& scene, Quality quality, core::Thread
 }
 
 /// Of the layers; all of them at first, and where the light is another.
-QRegion RasterPicture::changed_cells(const RasterScene& scene, const document::Snapshot& seen) {
-    const std::vector<int> tiles = changed_tiles(seen_.get(), seen);
+QRegion RasterPicture::changed_cells(const RasterScene& scene, const document::Snapshot& seen,
+                                     const std::vector<int>& tiles) {
     const shade::HeightRange before = range_;
     ranges_.update(seen.film, tiles);
     range_ = ranges_.all();
@@ -295,18 +295,14 @@ void RasterPicture::update_layers(const RasterScene& scene, const document::Snap
 QRegion RasterPicture::changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const {
     const QRect window(QPoint(0, 0), scene.window_px);
     if (seen_ == nullptr || !scene_ || !same_but_paint(*scene_, scene)) return window;
-    QRegion region;
-    for (const QRect& part : changed_cells)
-        region += damaged_pixels(scene.view, part);
-    return region & window;
+    return damaged_pixels(scene.view, changed_cells) & window;
 }
 
 void RasterPicture::measure_heights(const RasterScene& scene, const document::Snapshot& seen,
-                                    core::ThreadPool& pool) {
+                                    const std::vector<int>& changed, core::ThreadPool& pool) {
     if (scene.sight.look != Look::Height) return;
     const bool begins = !light_ || light_->look != Look::Height;
-    std::vector<int> tiles(static_cast<std::size_t>(seen.film.shape.tile_count()));
-    std::iota(tiles.begin(), tiles.end(), 0);
+    const std::vector<int> tiles = begins ? changed_tiles(nullptr, seen) : changed;
     const double now_mm = highest_mm(look_patches(seen, Look::Height, tiles, pool));
     highest_mm_ = begins ? now_mm : std::max(highest_mm_, now_mm);
     scale_top_mm_ = screen::scale_top_mm(highest_mm_);

@@ -39,12 +39,13 @@ class RasterPicture {
     double scale_top_mm() const { return scale_top_mm_; }
 
   private:
-    QRegion changed_cells(const RasterScene& scene, const document::Snapshot& seen);
+    QRegion changed_cells(const RasterScene& scene, const document::Snapshot& seen,
+                          const std::vector<int>& tiles);
     void update_layers(const RasterScene& scene, const document::Snapshot& seen, const QRegion& changed,
                        core::ThreadPool& pool);
     QRegion changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const;
     void measure_heights(const RasterScene& scene, const document::Snapshot& seen,
-                         core::ThreadPool& pool);
+                         const std::vector<int>& changed, core::ThreadPool& pool);
 
     TracingGround ground_;
     std::optional<RasterScene> scene_;                ///< none while the picture is a draft

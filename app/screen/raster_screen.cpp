@@ -17,11 +17,9 @@ QColor colour_of(const Rgb& rgb) {
 
 /// From the pixels of one view to those of another.
 QTransform moved(const ViewTransform& from, const ViewTransform& to) {
-    const auto lies_at = [&](const glm::dvec2& px) {
-        return to.device_from_cell(from.cell_from_device(px));
-    };
-    const glm::dvec2 origin = lies_at({0.0, 0.0});
-    const glm::dvec2 right = lies_at({1.0, 0.0}) - origin, down = lies_at({0.0, 1.0}) - origin;
+    const glm::dvec2 origin = moved_px(from, to, {0.0, 0.0});
+    const glm::dvec2 right = moved_px(from, to, {1.0, 0.0}) - origin;
+    const glm::dvec2 down = moved_px(from, to, {0.0, 1.0}) - origin;
     return {right.x, right.y, down.x, down.y, origin.x, origin.y};
 }
 

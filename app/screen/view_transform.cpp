@@ -55,6 +55,10 @@ bool ViewTransform::upright() const {
     return std::remainder(angle_deg, kQuarter_deg) == 0.0;
 }
 
+glm::dvec2 moved_px(const ViewTransform& from, const ViewTransform& to, const glm::dvec2& px) {
+    return to.device_from_cell(from.cell_from_device(px));
+}
+
 ViewTransform zoomed(const ViewTransform& view, const glm::dvec2& anchor_px, double factor) {
     ViewTransform next = view;
     next.zoom = allowed_zoom(view.zoom * factor);

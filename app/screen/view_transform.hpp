@@ -35,6 +35,9 @@ struct ViewTransform {
     friend bool operator==(const ViewTransform&, const ViewTransform&) = default;
 };
 
+/// Where a point of the window as it is seen from one place lies as it is seen from another.
+glm::dvec2 moved_px(const ViewTransform& from, const ViewTransform& to, const glm::dvec2& px);
+
 /// Multiplies the zoom (within its limits) so that the point of the canvas under `anchor_px` stays
 /// there.
 ViewTransform zoomed(const ViewTransform& view, const glm::dvec2& anchor_px, double factor);

@@ -16,7 +16,6 @@
 #include <QLabel>
 #include <QOpenGLContext>
 #include <QTest>
-#include <QVBoxLayout>
 
 namespace pastoso::tests {
 namespace {
@@ -356,18 +355,11 @@ TEST_F(Looks, AContextThatIsLostLeavesThePictureAsItWas) {
         QWidget* home = canvas().parentWidget();
         const QSize size = canvas().size();
         QWidget other;
-        auto* layout = new QVBoxLayout(&other);
-        layout->setContentsMargins(0, 0, 0, 0);
-        layout->addWidget(&canvas());
-        other.resize(size);
-        other.show();
-        wait_until_shown(other);
+        put_canvas_into(other);
         EXPECT_EQ(lost, 1);
         canvas().set_view(view);
         EXPECT_EQ(difference(picture(), before).largest, 0);
-        home->layout()->addWidget(&canvas());
-        canvas().show();
-        wait_for([&] { return canvas().size() == size; });
+        put_canvas_back(*home, size);
         canvas().set_view(view);
         EXPECT_EQ(difference(picture(), before).largest, 0);
     }

@@ -6,7 +6,6 @@
 #include <QAction>
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
-#include <QVBoxLayout>
 #include <gmock/gmock.h>
 
 namespace pastoso::tests {
@@ -52,15 +51,8 @@ class ScreenTest : public WindowTest {
         QWidget* home = canvas().parentWidget();
         const QSize size = canvas().size();
         QWidget other;
-        auto* layout = new QVBoxLayout(&other);
-        layout->setContentsMargins(0, 0, 0, 0);
-        layout->addWidget(&canvas());
-        other.resize(size);
-        other.show();
-        wait_until_shown(other);
-        home->layout()->addWidget(&canvas());
-        canvas().show();
-        wait_for([&] { return canvas().size() == size; });
+        put_canvas_into(other);
+        put_canvas_back(*home, size);
         ASSERT_TRUE(ended);
     }
 

@@ -13,8 +13,8 @@
 
 #include <QApplication>
 #include <QStatusBar>
-#include <QSurfaceFormat>
 #include <QTest>
+#include <QVBoxLayout>
 #include <QWindow>
 #include <qpa/qwindowsysteminterface.h>
 
@@ -56,11 +56,7 @@ void make_application() {
     static char name[] = "app_window_test";
     static char* argv[] = {name, nullptr};
     if (QApplication::instance() != nullptr) return;
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setOption(QSurfaceFormat::ResetNotification);
-    QSurfaceFormat::setDefaultFormat(format);
+    graphics::ask_for_opengl();
     auto* application = new main::Application(argc, argv);
     main::speak(QStringLiteral("C"));
     appearance::apply_theme(*application, appearance::Theme::Dark);
@@ -243,6 +239,22 @@ void WindowTest::settle() {
 
 std::string WindowTest::told() const {
     return window_->statusBar()->currentMessage().toStdString();
+}
+
+void WindowTest::put_canvas_into(QWidget& other) {
+    const QSize size = canvas().size();
+    auto* layout = new QVBoxLayout(&other);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(&canvas());
+    other.resize(size);
+    other.show();
+    wait_until_shown(other);
+}
+
+void WindowTest::put_canvas_back(QWidget& home, const QSize& size) {
+    home.layout()->addWidget(&canvas());
+    canvas().show();
+    wait_for([&] { return canvas().size() == size; });
 }
 
 double WindowTest::volume_mm3() {

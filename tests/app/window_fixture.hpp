@@ -60,6 +60,10 @@ class WindowTest : public ::testing::Test {
     /// Until everything posted is applied and the canvas shows it.
     void settle();
 
+    /// The canvas in a window of its own, as large as it is; and back at home.
+    void put_canvas_into(QWidget& other);
+    void put_canvas_back(QWidget& home, const QSize& size);
+
     double volume_mm3();
     /// Of the canvas view, after settle() and in its final quality: paint that moves has to be paused
     /// before. The pointer's outline is not in it.

@@ -3,12 +3,12 @@
 
 #include "appearance/theme.hpp"
 #include "core/memory.hpp"
+#include "graphics/opengl_support.hpp"
 #include "main/main_window.hpp"
 
 #include <optional>
 
 #include <QApplication>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -22,11 +22,7 @@ inline void use_own_folders(const QTemporaryDir& home) {
 /// Before there is an application.
 inline void prepare() {
     core::keep_freed_memory();  // as the program does
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setOption(QSurfaceFormat::ResetNotification);
-    QSurfaceFormat::setDefaultFormat(format);
+    graphics::ask_for_opengl();
 }
 
 /// Of 1280 x 800, shown.

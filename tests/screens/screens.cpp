@@ -7,6 +7,7 @@
 // second prints the manual's table of all commands and their keys.
 
 #include "appearance/theme.hpp"
+#include "graphics/opengl_support.hpp"
 #include "keys_table.hpp"
 #include "main/program/language.hpp"
 #include "main/window_parts.hpp"
@@ -19,7 +20,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QCursor>
-#include <QSurfaceFormat>
 #include <QTest>
 
 namespace {
@@ -72,11 +72,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "pastoso-screens: give a painting and a folder, or --keys.\n");
         return 2;
     }
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setOption(QSurfaceFormat::ResetNotification);
-    QSurfaceFormat::setDefaultFormat(format);
+    graphics::ask_for_opengl();
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("pastoso"));
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
