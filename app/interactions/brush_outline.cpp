@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -40,6 +41,36 @@ std::vector<glm::vec2> roots_mm(const brush::Tip& tip, const brush::HandPose& po
     return roots;
 }
 
+/// Places far enough from one another, and the last one.
+std::vector<brush::PenSample> apart(const std::vector<brush::PenSample>& places, double gap_mm) {
+    std::vector<brush::PenSample> kept;
+    for (const brush::PenSample& place : places) {
+        const bool is_last = &place == &places.back();
+        if (kept.empty() || is_last ||
+            std::hypot(place.x_mm - kept.back().x_mm, place.y_mm - kept.back().y_mm) >= gap_mm)
+            kept.push_back(place);
+    }
+    return kept;
+}
+
+/// Nobody sees how little another outline a brush has that is held so.
+bool is_held_alike(const brush::PenSample& a, const brush::PenSample& b) {
+    constexpr double kPressure = 0.02, kAngle_deg = 1.5;
+    return std::abs(a.pressure - b.pressure) < kPressure &&
+           std::abs(a.tilt_x_deg - b.tilt_x_deg) < kAngle_deg &&
+           std::abs(a.tilt_y_deg - b.tilt_y_deg) < kAngle_deg &&
+           std::abs(a.rotation_deg - b.rotation_deg) < kAngle_deg;
+}
+
+/// Around two lines of hull_mm(): in every direction, the point that lies farther there.
+std::vector<glm::vec2> around_both(std::vector<glm::vec2> line, const std::vector<glm::vec2>& other) {
+    for (int i = 0; i < kPoints; ++i) {
+        const glm::vec2 outward(direction(i));
+        if (glm::dot(other[i], outward) > glm::dot(line[i], outward)) line[i] = other[i];
+    }
+    return line;
+}
+
 }  // namespace
 
 BrushOutline::BrushOutline(const brush::Preset& tool) : tool_(tool), tip_(brush::make_tip(tool, 1)) {}
@@ -55,6 +86,27 @@ std::vector<glm::vec2> BrushOutline::around_mm(const brush::PenSample& pen) cons
     const std::vector<glm::vec2> touched = brush::tips_set_down(tool_, tip_, pose);
     return hull_mm(touched.empty() ? roots_mm(tip_, pose) : touched,
                    std::max(tip_.radius_mm, tip_.lane_mm));
+}
+
+std::vector<std::vector<glm::vec2>> BrushOutline::swept_mm(const std::vector<brush::PenSample>& places,
+                                                           double gap_mm) const {
+    std::vector<std::vector<glm::vec2>> swept;
+    std::vector<glm::vec2> outline, before;
+    const std::vector<brush::PenSample> kept = apart(places, gap_mm);
+    const brush::PenSample* outlined = nullptr;
+    for (const brush::PenSample& place : kept) {
+        if (outlined == nullptr || !is_held_alike(*outlined, place)) {
+            outline = around_mm(place);
+            outlined = &place;
+        }
+        std::vector<glm::vec2> line = outline;
+        for (glm::vec2& point : line)
+            point += glm::vec2(place.x_mm, place.y_mm);
+        if (!before.empty()) swept.push_back(around_both(before, line));
+        before = std::move(line);
+    }
+    if (kept.size() == 1) swept.push_back(std::move(before));
+    return swept;
 }
 
 /// In every direction, the point of the circles that lies farthest there.

@@ -23,6 +23,16 @@ class BrushOutline {
     /// hand does not press enough for a hair to touch.
     std::vector<glm::vec2> around_mm(const brush::PenSample& pen) const;
 
+    /// What the brush sweeps over from place to place, on the canvas in millimetres: closed lines that
+    /// bulge nowhere in, all in one direction of turning, each around two places that follow one
+    /// another, or around the only one. Places nearer than `gap_mm` to the one before are left out,
+    /// but for the last.
+    std::vector<std::vector<glm::vec2>> swept_mm(const std::vector<brush::PenSample>& places,
+                                                 double gap_mm) const;
+
+    const brush::Preset& tool() const { return tool_; }
+    const brush::Tip& tip() const { return tip_; }
+
   private:
     brush::Preset tool_;
     brush::Tip tip_;

@@ -14,9 +14,10 @@ constexpr double kExpectedPressure = 0.5;
 }  // namespace
 
 Paint::Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface surface)
-    : canvas_(canvas), easel_(easel), surface_(surface) {
+    : canvas_(canvas), easel_(easel), surface_(surface), mark_(surface) {
     waiting_.setInterval(kWait_ms);
     connect(&waiting_, &QTimer::timeout, this, [this] {
+        mark_.rest();
         easel_.wait(0.001 * kWait_ms, surface_);
         if (!easel_.painting()) waiting_.stop();
     });
@@ -25,6 +26,10 @@ Paint::Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface su
 void Paint::set_tool(const brush::Preset& tool) {
     outline_.set_tool(tool);
     canvas_.refresh();
+}
+
+void Paint::note_posted(const document::Action& action, std::uint64_t number) {
+    mark_.note(action, number, easel_.hand(), outline_);
 }
 
 /// Control squeezes paint onto the well instead of painting there.
@@ -63,6 +68,7 @@ void Paint::cancel() {
 
 /// What the brush touches as it is held, and how its handle leans.
 void Paint::draw(const view::Overlay& overlay) {
+    if (marks() && mark_.draw(*canvas_.shown(), overlay, outline_)) Q_EMIT marked();
     const auto place_mm = canvas_.pointer_mm();
     if (!place_mm || canvas_.interactions().is_behind_mode(*this)) return;
     draw_line(overlay, *place_mm);
@@ -73,6 +79,12 @@ void Paint::draw(const view::Overlay& overlay) {
     const glm::dvec2 handle = handle_px(held.tilt_x_deg, held.tilt_y_deg);
     if (handle == glm::dvec2(0.0)) return;
     overlay.painter.draw_segments({glm::vec2(0.0F), glm::vec2(overlay.px_mm * handle)}, frame, 0.8F);
+}
+
+/// Looks in which paint has another colour have no mark.
+bool Paint::marks() const {
+    const screen::Look look = canvas_.look();
+    return canvas_.pen().wet_mark && (look == screen::Look::Lit || look == screen::Look::Flat);
 }
 
 /// The straight line that is being drawn.

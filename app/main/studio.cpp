@@ -27,7 +27,7 @@ Studio::Studio(QMainWindow& window)
     : window_(window),
       commands_(&window),
       easel_(std::make_unique<tools::Easel>(
-          tools::Hand{}, [this](document::Action action) { session_->post(std::move(action)); },
+          tools::Hand{}, [this](const document::Action& action) { post(action); },
           [this] { session_->note_hand(); })),
       canvas_(new view::CanvasView),
       well_(new view::CanvasView(document::Surface::Well)),
@@ -60,7 +60,15 @@ void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<docu
         std::move(past), commands_.action(commands::Command::Pause)->isChecked(), std::move(journal),
         std::move(begin_journal));
     session_->measure(times_);
+    for (interactions::OnCanvas* on : on_views())
+        on->paint.forget_posted();
     Q_EMIT session_begun();
+}
+
+void Studio::post(const document::Action& action) {
+    const std::uint64_t number = session_->post(action);
+    for (interactions::OnCanvas* on : on_views())
+        on->paint.note_posted(action, number);
 }
 
 void Studio::measure(std::shared_ptr<session::FrameTimes> times) {
@@ -70,6 +78,7 @@ void Studio::measure(std::shared_ptr<session::FrameTimes> times) {
     if (!first) return;
     connect(canvas_, &view::CanvasView::pointer_heard, this,
             [this](double device_ms) { times_->heard(device_ms, session::FrameTimes::Clock::now()); });
+    connect(&on_canvas_->paint, &interactions::Paint::marked, this, [this] { times_->marked(); });
     connect(canvas_, &view::CanvasView::frame_came, this,
             [this] { times_->presented(canvas_->shown(), session::FrameTimes::Clock::now()); });
 }

@@ -97,6 +97,7 @@ class Studio : public QObject {
     void hand_changed(const pastoso::tools::Hand& hand);
 
   private:
+    void post(const document::Action& action);
     void note_fall_back(const QString& sentence);
 
     QMainWindow& window_;

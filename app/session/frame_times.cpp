@@ -47,6 +47,7 @@ void FrameTimes::heard(double device_ms, Clock::time_point now) {
 void FrameTimes::posted(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     posted_.push_back(std::exchange(heard_, std::nullopt).value_or(now));
+    unseen_.push_back(posted_.back());
 }
 
 void FrameTimes::published(std::uint64_t count, const void* snapshot, Clock::time_point now) {
@@ -60,8 +61,22 @@ void FrameTimes::published(std::uint64_t count, const void* snapshot, Clock::tim
     published_.push_back(std::move(published));
 }
 
+void FrameTimes::marked() {
+    const std::lock_guard lock(mutex_);
+    marked_ = unseen_.size();
+}
+
+/// The lock is held.
+void FrameTimes::see(std::size_t count, Clock::time_point now) {
+    for (; count > 0; --count) {
+        event_to_mark_.all_s.push_back(seconds(now - unseen_.front()));
+        unseen_.pop_front();
+    }
+}
+
 void FrameTimes::presented(const void* snapshot, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
+    see(std::exchange(marked_, 0), now);
     const auto shown =
         std::find_if(published_.begin(), published_.end(),
                      [snapshot](const Published& other) { return other.snapshot == snapshot; });
@@ -71,6 +86,10 @@ void FrameTimes::presented(const void* snapshot, Clock::time_point now) {
         for (const Clock::time_point event : each->events)
             event_to_screen_.all_s.push_back(seconds(now - event));
     published_.erase(published_.begin(), shown + 1);
+    std::size_t coming = posted_.size();
+    for (const Published& later : published_)
+        coming += later.events.size();
+    if (unseen_.size() > coming) see(unseen_.size() - coming, now);
 }
 
 void FrameTimes::quiet_tick(double seconds) {
@@ -81,6 +100,11 @@ void FrameTimes::quiet_tick(double seconds) {
 Durations FrameTimes::event_to_snapshot() const {
     const std::lock_guard lock(mutex_);
     return event_to_snapshot_;
+}
+
+Durations FrameTimes::event_to_mark() const {
+    const std::lock_guard lock(mutex_);
+    return event_to_mark_;
 }
 
 Durations FrameTimes::event_to_screen() const {
@@ -100,8 +124,9 @@ Durations FrameTimes::quiet_ticks() const {
 
 std::string FrameTimes::table() const {
     return "ms                      count    median       95%       99%   longest\n" +
-           row("event to snapshot", event_to_snapshot()) + row("event to screen", event_to_screen()) +
-           row("snapshot to screen", snapshot_to_screen()) + row("tick without paint", quiet_ticks());
+           row("event to snapshot", event_to_snapshot()) + row("event to mark", event_to_mark()) +
+           row("event to screen", event_to_screen()) + row("snapshot to screen", snapshot_to_screen()) +
+           row("tick without paint", quiet_ticks());
 }
 
 }  // namespace pastoso::session

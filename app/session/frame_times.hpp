@@ -33,12 +33,17 @@ class FrameTimes {
     void posted(Clock::time_point now);
     /// `count` of what was posted first and not published yet is in this snapshot.
     void published(std::uint64_t count, const void* snapshot, Clock::time_point now);
-    /// The screen shows this snapshot, and what is in those before it; they never will be shown.
+    /// All that was posted until now has a mark in the frame that comes next.
+    void marked();
+    /// A frame has come to the screen that shows this snapshot, and what is in those before it; they
+    /// never will be shown.
     void presented(const void* snapshot, Clock::time_point now);
     /// A tick in which no paint was wet cost the session so much.
     void quiet_tick(double seconds);
 
     Durations event_to_snapshot() const;
+    /// To its mark, or to itself where that is sooner.
+    Durations event_to_mark() const;
     Durations event_to_screen() const;
     Durations snapshot_to_screen() const;
     Durations quiet_ticks() const;
@@ -47,6 +52,8 @@ class FrameTimes {
     std::string table() const;
 
   private:
+    void see(std::size_t count, Clock::time_point now);
+
     struct Published {
         const void* snapshot;
         Clock::time_point time;
@@ -56,9 +63,11 @@ class FrameTimes {
     mutable std::mutex mutex_;
     std::deque<Clock::time_point> posted_;
     std::deque<Published> published_;
+    std::deque<Clock::time_point> unseen_;  ///< of all events, those without a mark on the screen
+    std::size_t marked_ = 0;                ///< of those, in the frame that comes next
     std::optional<Clock::duration> device_behind_;  ///< this clock less the device's
     std::optional<Clock::time_point> heard_;
-    Durations event_to_snapshot_, event_to_screen_, snapshot_to_screen_, quiet_ticks_;
+    Durations event_to_snapshot_, event_to_mark_, event_to_screen_, snapshot_to_screen_, quiet_ticks_;
 };
 
 }  // namespace pastoso::session

@@ -83,15 +83,17 @@ PaintSession::~PaintSession() {
     thread_.join();
 }
 
-void PaintSession::post(document::Action action) {
+std::uint64_t PaintSession::post(document::Action action) {
+    std::uint64_t number = 0;
     {
         const std::lock_guard lock(mutex_);
         posted_.push_back(std::move(action));
-        ++posted_count_;
+        number = ++posted_count_;
         if (times_) times_->posted(WallClock::now());
         action_waits_ = true;
     }
     work_.notify_all();
+    return number;
 }
 
 void PaintSession::note_hand() {
@@ -473,7 +475,9 @@ bool PaintSession::pass_tick(const std::function<bool()>& cancelled) {
 }
 
 void PaintSession::publish() {
-    auto snapshot = std::make_shared<const document::Snapshot>(painting_->snapshot());
+    document::Snapshot taken = painting_->snapshot();
+    taken.posted_actions = applied_count_;
+    auto snapshot = std::make_shared<const document::Snapshot>(std::move(taken));
     const film::AdvanceReport report = painting_->film_report();
     std::shared_ptr<const Steps> steps;
     if (std::exchange(steps_changed_, false))

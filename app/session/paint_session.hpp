@@ -85,7 +85,8 @@ class PaintSession {
     PaintSession(const PaintSession&) = delete;
     PaintSession& operator=(const PaintSession&) = delete;
 
-    void post(document::Action action);
+    /// Returns its number; the first action's is 1. It is in a snapshot of as many posted_actions.
+    std::uint64_t post(document::Action action);
 
     /// The brush has moved over the canvas. Where the paint is so slow that a tick would hold up the
     /// brush, it waits until the hand rests.

@@ -150,12 +150,14 @@ PenSettings read_pen_settings(const std::filesystem::path& file,
                               const std::function<bool(const std::string&)>& is_command) {
     PenSettings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
-        root.allow_only({"version", "devices", "mouse", "eraser_tool", "buttons", "fingers_paint"});
+        root.allow_only(
+            {"version", "devices", "mouse", "eraser_tool", "buttons", "fingers_paint", "wet_mark"});
         read_devices(root.entry("devices"), settings);
         settings.mouse = read_mouse(root.entry("mouse"));
         settings.eraser_tool = read_eraser(root.entry("eraser_tool"));
         read_buttons(root.entry("buttons"), is_command, settings);
         settings.fingers_paint = root.boolean_or("fingers_paint", settings.fingers_paint);
+        settings.wet_mark = root.boolean_or("wet_mark", settings.wet_mark);
     });
     return settings;
 }
@@ -174,6 +176,7 @@ void write_pen_settings(const PenSettings& settings, const std::filesystem::path
          {"mouse", {{"pressure", settings.mouse.pressure}, {"by_speed", settings.mouse.by_speed}}},
          {"eraser_tool", settings.eraser_tool},
          {"fingers_paint", settings.fingers_paint},
+         {"wet_mark", settings.wet_mark},
          {"buttons", std::move(buttons)}},
         file);
 }

@@ -59,6 +59,7 @@ struct PenSettings {
          {PenButtonDoes::Command, "larger_brush"},
          {PenButtonDoes::Command, "smaller_brush"}}};  ///< in the order of PenButton
     bool fingers_paint = false;  ///< else one finger moves the canvas, as two always do
+    bool wet_mark = true;        ///< a wet mark runs ahead of the paint
     const PenAction& action(PenButton button) const { return buttons[static_cast<std::size_t>(button)]; }
     friend bool operator==(const PenSettings&, const PenSettings&) = default;
 };

@@ -7,10 +7,13 @@
 #include "tools/mixed_paints.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <numeric>
 
 namespace pastoso::tools {
 namespace {
+
+/// A brush that holds less of its capacity leaves hardly a trace.
+constexpr double kSpent = 0.02;
 
 /// Nothing for paint that has no colour of its own.
 std::optional<pigment::LinearRgb> masstone_of(const film::PaintCoefficients& paint) {
@@ -19,6 +22,15 @@ std::optional<pigment::LinearRgb> masstone_of(const film::PaintCoefficients& pai
     std::copy_n(paint.begin(), pigment.size(), pigment.begin());
     if (*std::max_element(pigment.begin(), pigment.end()) < kColourless_per_mm) return std::nullopt;
     return pigment::masstone(pigment);
+}
+
+double hidden_share(const film::PaintCoefficients& paint, shade::Spot spot) {
+    const auto brightness = [&](const pigment::Bands& ground) {
+        spot.ground = ground;
+        const pigment::Srgb8 colour = shade::spot_colour(paint, spot);
+        return std::accumulate(colour.begin(), colour.end(), 0.0) / (255.0 * colour.size());
+    };
+    return 1.0 - (brightness(pigment::titanium_ground()) - brightness({}));
 }
 
 /// Thick, its colour is the same in all.
@@ -40,6 +52,28 @@ pigment::Srgb8 swatch_colour(const film::PaintCoefficients& paint, const SwatchV
 
 pigment::Srgb8 swatch_colour(const document::PaintRecipe& paint, const SwatchView& view) {
     return swatch_colour(remembered_paint(paint, view.medium), view);
+}
+
+WetColour wet_colour(const film::PaintCoefficients& paint, const SwatchView& view) {
+    return {swatch_colour(paint, view), hidden_share(paint, view.spot)};
+}
+
+WetColour wet_colour(const document::PaintRecipe& paint, const SwatchView& view) {
+    return wet_colour(remembered_paint(paint, view.medium), view);
+}
+
+std::optional<WetColour> wet_colour(const brush::LoadProfile& load, const SwatchView& view) {
+    film::PaintCoefficients mean{};
+    double fill = 0.0;
+    for (const auto& stripe : load.stripes) {
+        fill += stripe.fill;
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            mean[i] += static_cast<float>(stripe.fill) * stripe.paint[i];
+    }
+    if (load.fill < kSpent) return std::nullopt;
+    for (float& coefficient : mean)
+        coefficient /= static_cast<float>(fill);
+    return wet_colour(mean, view);
 }
 
 document::PaintRecipe tube_paint(const std::string& ci_name) {

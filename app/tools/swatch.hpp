@@ -1,11 +1,13 @@
 // What paint looks like where the painter stands: the colours of the window's swatches.
 #pragma once
 
+#include "brush/load_profile.hpp"
 #include "document/events.hpp"
 #include "film/medium.hpp"
 #include "shade/spot.hpp"
 #include "tools/hand.hpp"
 
+#include <optional>
 #include <string>
 
 namespace pastoso::tools {
@@ -26,6 +28,19 @@ double film_in_hand_mm(const Hand& hand);
 /// recipe.
 pigment::Srgb8 swatch_colour(const film::PaintCoefficients& paint, const SwatchView& view);
 pigment::Srgb8 swatch_colour(const document::PaintRecipe& paint, const SwatchView& view);
+
+/// A flat spot of paint, and the share that it hides of what lies below: 1 less what it shows brighter
+/// over white than over black, against white, in the mean of its encoded channels.
+struct WetColour {
+    pigment::Srgb8 colour{};
+    double opacity = 1.0;
+    friend bool operator==(const WetColour&, const WetColour&) = default;
+};
+WetColour wet_colour(const film::PaintCoefficients& paint, const SwatchView& view);
+WetColour wet_colour(const document::PaintRecipe& paint, const SwatchView& view);
+
+/// Of all that is in a brush; nothing where that is hardly anything.
+std::optional<WetColour> wet_colour(const brush::LoadProfile& load, const SwatchView& view);
 
 /// The paint of the tube of that Colour Index name, the clear medium for none, and one part of it in
 /// four of titanium white, where a dark pigment shows its hue.

@@ -16,8 +16,6 @@
 namespace pastoso::brush {
 namespace {
 
-/// Steps into which the whole pressure is cut for tools that do not touch the canvas.
-constexpr double kPressureSteps = 200.0;
 /// Length of travel after which neighbouring bristles exchange paint.
 constexpr double kWickInterval_mm = 1.0;
 /// A bristle exchanges paint at every second step, for the length of two; its footprint is five steps
@@ -31,8 +29,6 @@ constexpr std::uint32_t kPloughTurns = 2;
 constexpr int kPloughSeed = 4095;
 /// Length of a pass over a cell, in depths of the tip and radii of a footprint.
 constexpr double kPassDepths = 2.0, kPassRadii = 4.0;
-/// A footprint's least radius in the step length: thin hairs do not make the steps ever shorter.
-constexpr double kLeastStepRadius_mm = 0.15;
 /// Width of what is left by a lifted knife, in half thicknesses of its edge, and by a lifted hair, which
 /// stays where it has painted.
 constexpr double kKnifeHeap_radii = 2.2, kHairHeap_radii = 1.1;
@@ -53,13 +49,6 @@ int most_strips(const Brush& brush, const core::ThreadPool* pool) {
     return alone ? 1 : pool->thread_count();
 }
 
-/// The same whatever the size of cells: strokes end at the same place on all.
-double step_length_mm(const Brush& brush) {
-    const StrokePreset& stroke = brush.preset.stroke;
-    return std::max(stroke.spacing * std::max(brush.tip.radius_mm, kLeastStepRadius_mm),
-                    stroke.min_spacing_mm);
-}
-
 /// A tip has passed over a cell when it has travelled by its own depth, with what its hairs trail
 /// behind.
 double pass_length_mm(const Brush& brush) {
@@ -67,23 +56,6 @@ double pass_length_mm(const Brush& brush) {
     const double depth_mm =
         std::max(tip.thickness_mm, tip.shape == TipShape::Round ? tip.width_mm : 0.0);
     return kPassDepths * depth_mm + kPassRadii * brush.tip.radius_mm;
-}
-
-PathMeasure path_measure(const Brush& brush, double step_mm) {
-    if (brush.preset.kind != ToolKind::Contact) return {step_mm, kPressureSteps * step_mm};
-    const FlexPreset& flex = brush.preset.flex;
-    const double full_depth_mm = flex.press_depth * brush.preset.tip.length_mm;
-    const double bend = brush.tip.rigid ? 0.0 : flex.bend;
-    return {step_mm, kPressSlide * full_depth_mm, 0.5 * brush.tip.half_width_mm,
-            bend * std::sqrt(full_depth_mm * (2.0 * brush.preset.tip.length_mm - full_depth_mm)),
-            kStiffEnd / flex.press_depth};
-}
-
-void check_finite(const PenSample& sample) {
-    for (const double value : {sample.time_s, sample.x_mm, sample.y_mm, sample.pressure,
-                               sample.tilt_x_deg, sample.tilt_y_deg, sample.rotation_deg}) {
-        PASTOSO_CHECK(std::isfinite(value));
-    }
 }
 
 /// A rectangle around all cells that the footprints may reach.
@@ -115,12 +87,9 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       film_(film),
       limit_(limit),
       resolved_(resolve(brush.tip, brush.preset.paint, film.cell_mm)),
-      step_mm_(step_length_mm(brush)),
       turns_(turns_of(brush)),
-      guide_(aids.guide),
       placement_(placement),
-      filter_(steadying_filter(brush.preset.stroke, aids.stabiliser)),
-      path_(path_measure(brush, step_mm_)),
+      path_(brush.preset, brush.tip, aids),
       poses_(brush.tip.bristles.size()),
       cells_(limit),
       pass_(film.shape, pass_length_mm(brush)),
@@ -128,7 +97,6 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       droplets_(brush, film, limit) {}
 
 void Stroke::begin(const PenSample& sample) {
-    check_finite(sample);
     media_ = meet(brush_, film_);
     const bool anew = brush_.preset.stroke.jitter_seed == JitterSeed::Stroke;
     jitter_seed_ = core::scramble(brush_.tip.seed + (anew ? brush_.strokes_begun : 0));
@@ -137,24 +105,18 @@ void Stroke::begin(const PenSample& sample) {
     step_count_ = 0;
     since_wick_mm_ = 0.0;
     time_s_ = 0.0;
-    down_ = led_ = sample;
-    events_.start(sample);
-    const PenSample start = led(filter_.start(sample));
-    const double rotation = core::radians(start.rotation_deg);
-    path_.begin(start, -std::sin(rotation), std::cos(rotation));
+    const PenSample start = path_.begin(sample);
     if (brush_.preset.kind == ToolKind::Droplets)
         droplets_.begin(pose({.pen = start}), jitter_seed_, media());
     paint_steps();
 }
 
 void Stroke::add(const PenSample& sample) {
-    check_finite(sample);
-    follow(events_.add(sample));
+    path_.add(sample);
+    paint_steps();
 }
 
 void Stroke::end() {
-    follow(events_.end());
-    path_.add(led(filter_.final_sample()));
     path_.end();
     paint_steps();
     leave_paint();
@@ -191,16 +153,6 @@ grid::Rect Stroke::take_changed_cells() {
     return grid::bounding_box(std::exchange(changed_, {}), droplets_.take_changed_cells());
 }
 
-void Stroke::follow(const std::vector<PenSample>& samples) {
-    for (const PenSample& sample : samples)
-        path_.add(led(filter_.follow(sample)));
-    paint_steps();
-}
-
-PenSample Stroke::led(const PenSample& sample) {
-    return led_ = guided(guide_, down_, led_, sample);
-}
-
 HandPose Stroke::pose(const PathStep& step) const {
     return placed(placement_, hand_pose(brush_.preset.dynamics, step));
 }
@@ -232,13 +184,13 @@ void Stroke::take_step(const PathStep& step) {
 
 void Stroke::paint_step(const PathStep& step) {
     const HandPose hand = pose(step);
-    const double turn_mm = turns_ * step_mm_;
+    const double turn_mm = turns_ * path_.step_mm();
     const StepRates rates = step_rates(brush_, resolved_, hand, turn_mm);
     const DragRates drag = drag_rates(brush_, resolved_, hand, turn_mm, film_.consistencies);
-    const Swath swath = move_bristles(brush_, hand, step_mm_, film_, poses_);
+    const Swath swath = move_bristles(brush_, hand, path_.step_mm(), film_, poses_);
     if (!brush_.tip.rigid) clumps_.find(poses_, hand, brush_.tip.radius_mm);
     ++step_count_;
-    pass_.set_travel(step_count_ * step_mm_);
+    pass_.set_travel(step_count_ * path_.step_mm());
     bear(bearing(hand, swath), film_, pass_, poses_);
     if (step_count_ % kPloughTurns == 0) plough(hand, swath);
     touching_.clear();
@@ -254,14 +206,14 @@ void Stroke::paint_step(const PathStep& step) {
                                     dither_seed(place.element), film_, cells_, media()));
     }
     if (media_) settle_exchange(*media_, film_, brush_);
-    since_wick_mm_ += step_mm_;
+    since_wick_mm_ += path_.step_mm();
     if (since_wick_mm_ < kWickInterval_mm) return;
     wick_paint(brush_, since_wick_mm_);
     since_wick_mm_ = 0.0;
 }
 
 void Stroke::plough(const HandPose& hand, const Swath& swath) {
-    const StepRates rates = step_rates(brush_, resolved_, hand, kPloughTurns * step_mm_);
+    const StepRates rates = step_rates(brush_, resolved_, hand, kPloughTurns * path_.step_mm());
     note_changed(plough_.push(
         {brush_, poses_, hand, swath, rates, dither_seed(kPloughSeed), film_, cells_, media()}));
 }

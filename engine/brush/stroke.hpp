@@ -8,13 +8,10 @@
 #include "brush/clumps.hpp"
 #include "brush/drag.hpp"
 #include "brush/droplets.hpp"
+#include "brush/hand_path.hpp"
 #include "brush/pass_map.hpp"
-#include "brush/pen_filter.hpp"
-#include "brush/pen_guide.hpp"
-#include "brush/pen_resampler.hpp"
 #include "brush/plough.hpp"
 #include "brush/strips.hpp"
-#include "brush/stroke_path.hpp"
 #include "brush/symmetry.hpp"
 #include "brush/transfer.hpp"
 #include "core/thread_pool.hpp"
@@ -28,18 +25,10 @@
 
 namespace pastoso::brush {
 
-/// What helps the hand, whatever the brush.
-struct HandAids {
-    Stabiliser stabiliser{};
-    PenGuide guide{};
-};
-
-/// Samples are filled up along a smooth curve, filtered in time, led along the guide and walked in steps
-/// of equal length; at every step the bristles exchange paint with the film. The stroke does not depend
-/// on the rate of the samples, and hardly on the size of the cells. Paint follows the pen by the
-/// filter's time constant, one sample and 2 ms; end() catches up. Holds on to the brush and the film,
-/// which must outlive it; between two calls the film may flow, and may be replaced by an earlier or
-/// later state of the same canvas.
+/// Follows a hand (HandPath), and at every step the bristles exchange paint with the film. The stroke
+/// does not depend on the rate of the samples, and hardly on the size of the cells. Holds on to the
+/// brush and the film, which must outlive it; between two calls the film may flow, and may be replaced
+/// by an earlier or later state of the same canvas.
 class Stroke {
   public:
     /// `placement` says where the brush stands for the hand. A straight line has to be straight already.
@@ -86,8 +75,6 @@ class Stroke {
         grid::Rect changed;
     };
 
-    void follow(const std::vector<PenSample>& samples);
-    PenSample led(const PenSample& sample);
     HandPose pose(const PathStep& step) const;
     bool may_change(double x_mm, double y_mm) const;
     void paint_steps();
@@ -116,14 +103,9 @@ class Stroke {
     film::FilmState& film_;
     const grid::Mask* limit_;
     ResolvedTip resolved_;  ///< on the cells of the film
-    double step_mm_;
-    std::uint32_t turns_;  ///< steps from one exchange of a bristle to its next
-    PenGuide guide_;
+    std::uint32_t turns_;   ///< steps from one exchange of a bristle to its next
     Placement placement_;
-    PenResampler events_;
-    PenFilter filter_;
-    PenSample down_, led_;  ///< the first sample, and the last one with the guide's help
-    StrokePath path_;
+    HandPath path_;
     std::vector<BristlePose> poses_;
     CellBatch cells_;
     PassMap pass_;

@@ -42,8 +42,8 @@ Bearing Stroke::bearing(const HandPose& hand, const Swath& swath) const {
             .is_edge = brush_.tip.rigid,
             .tuft_mm = kTuft_radii * brush_.tip.radius_mm,
             .edge_support_mm = swath.edge_support_mm,
-            .sinking_mm = is_blade ? static_cast<float>(kSinkingSlope * step_mm_) : kAnyWay_mm,
-            .travel_mm = step_count_ * step_mm_,
+            .sinking_mm = is_blade ? static_cast<float>(kSinkingSlope * path_.step_mm()) : kAnyWay_mm,
+            .travel_mm = step_count_ * path_.step_mm(),
             .noise_seed = jitter_seed_};
 }
 
@@ -68,7 +68,7 @@ Contact Stroke::contact(int bristle, const Touch& touch) const {
 /// A blade throws its paint up along its edges, here more, there less than it leaves between them.
 float Stroke::thrown_up(int bristle) const {
     const bool is_first_half = 2 * static_cast<std::size_t>(bristle) < poses_.size();
-    const double travel = step_count_ * step_mm_ / kThrowing_mm;
+    const double travel = step_count_ * path_.step_mm() / kThrowing_mm;
     return static_cast<float>(smooth_noise(travel, jitter_seed_ + (is_first_half ? 1 : 2)));
 }
 

@@ -6254,6 +6254,14 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>Otherwise one finger moves the canvas, as two always do</source>
         <translation>Otherwise one finger moves the canvas, as two always do</translation>
     </message>
+    <message>
+        <source>Wet mark</source>
+        <translation>Wet mark</translation>
+    </message>
+    <message>
+        <source>Shows paint under the pen at once, until the paint itself is on the screen</source>
+        <translation>Shows paint under the pen at once, until the paint itself is on the screen</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PenDialog</name>

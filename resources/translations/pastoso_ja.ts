@@ -6239,6 +6239,14 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>Otherwise one finger moves the canvas, as two always do</source>
         <translation>オフのときは1本の指でキャンバスを動かします。2本ではいつも動きます</translation>
     </message>
+    <message>
+        <source>Wet mark</source>
+        <translation>濡れた跡</translation>
+    </message>
+    <message>
+        <source>Shows paint under the pen at once, until the paint itself is on the screen</source>
+        <translation>絵の具そのものが画面に出るまで、ペンの下にすぐ絵の具を見せます</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PenDialog</name>

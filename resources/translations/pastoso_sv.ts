@@ -6254,6 +6254,14 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
         <source>Otherwise one finger moves the canvas, as two always do</source>
         <translation>Annars flyttar ett finger duken, som två alltid gör</translation>
     </message>
+    <message>
+        <source>Wet mark</source>
+        <translation>Vått märke</translation>
+    </message>
+    <message>
+        <source>Shows paint under the pen at once, until the paint itself is on the screen</source>
+        <translation>Visar färg under pennan genast, tills färgen själv syns på skärmen</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PenDialog</name>

@@ -6239,6 +6239,14 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>Otherwise one finger moves the canvas, as two always do</source>
         <translation>否則一根手指移動畫布，兩根手指則總是移動畫布</translation>
     </message>
+    <message>
+        <source>Wet mark</source>
+        <translation>濕痕</translation>
+    </message>
+    <message>
+        <source>Shows paint under the pen at once, until the paint itself is on the screen</source>
+        <translation>在顏料本身出現於畫面之前，立即在筆下顯示顏料</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::PenDialog</name>

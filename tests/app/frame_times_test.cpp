@@ -94,5 +94,38 @@ TEST(FrameTimes, TheTableTellsCountsAndMilliseconds) {
     EXPECT_THAT(times.table(), testing::HasSubstr("tick without paint          1      1.25"));
 }
 
+TEST(FrameTimes, AMarkComesWithTheFrameThatIsDrawnNext) {
+    FrameTimes times;
+    const int empty = 0, first = 0;
+    times.published(0, &empty, at_ms(0));
+    times.posted(at_ms(1));
+    times.posted(at_ms(3));
+    times.marked();
+    times.posted(at_ms(4));
+    times.presented(&empty, at_ms(6));
+    EXPECT_THAT(ms(times.event_to_mark()), ElementsAre(5, 3));
+    EXPECT_THAT(ms(times.event_to_screen()), IsEmpty());
+    times.published(1, &first, at_ms(7));
+    times.marked();
+    times.presented(&first, at_ms(9));
+    EXPECT_THAT(ms(times.event_to_mark()), ElementsAre(5, 3, 5));
+    EXPECT_THAT(ms(times.event_to_screen()), ElementsAre(8));
+}
+
+TEST(FrameTimes, WhatIsThereWithoutAMarkIsSeenItself) {
+    FrameTimes times;
+    const int first = 0, second = 0;
+    times.posted(at_ms(0));
+    times.posted(at_ms(2));
+    times.published(1, &first, at_ms(5));
+    times.posted(at_ms(6));
+    times.presented(&first, at_ms(8));
+    EXPECT_THAT(ms(times.event_to_mark()), ElementsAre(8));
+    times.published(2, &second, at_ms(9));
+    times.presented(&second, at_ms(12));
+    EXPECT_THAT(ms(times.event_to_mark()), ElementsAre(8, 10, 6));
+    EXPECT_THAT(ms(times.event_to_screen()), ElementsAre(8, 10, 6));
+}
+
 }  // namespace
 }  // namespace pastoso::session

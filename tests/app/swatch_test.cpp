@@ -53,6 +53,41 @@ TEST(Swatch, OfTheClearMediumIsTheGround) {
     EXPECT_LT(brightness(swatch_colour(tube_paint(""), view)), 200);
 }
 
+TEST(WetColour, ThickWhiteHidesAllAndTheMediumNothing) {
+    SwatchView view = daylight_view();
+    view.spot.film_mm = 2.0;
+    EXPECT_NEAR(wet_colour(tube_paint("PW6"), view).opacity, 1.0, 0.02);
+    view.spot.film_mm = 0.0;
+    // Black shines a little, and titanium white is no full white.
+    EXPECT_NEAR(wet_colour(tube_paint(""), view).opacity, 0.1, 0.1);
+}
+
+TEST(WetColour, ADarkFilmHidesMoreThanAPaleOneOfItsPaint) {
+    SwatchView view = daylight_view();
+    double before = 0.0;
+    for (const double film_mm : {0.01, 0.03, 0.1, 0.3}) {
+        view.spot.film_mm = film_mm;
+        const double opacity = wet_colour(tube_paint("PB29"), view).opacity;
+        EXPECT_GT(opacity, before);
+        before = opacity;
+    }
+    EXPECT_GT(before, 0.8);
+}
+
+TEST(WetColour, OfALoadIsTheMeanByHowFullItsStripesAre) {
+    const SwatchView view = daylight_view();
+    const film::PaintCoefficients blue = document::mixed_paint(tube_paint("PB29"), view.medium);
+    brush::LoadProfile load;
+    EXPECT_EQ(wet_colour(load, view), std::nullopt);
+    load.fill = 0.5;
+    load.stripes[3] = {0.25, blue};
+    load.stripes[4] = {0.25, blue};
+    EXPECT_EQ(wet_colour(load, view), wet_colour(blue, view));
+    load.stripes[9] = {0.5, document::mixed_paint(tube_paint("PW6"), view.medium)};
+    EXPECT_GT(brightness(wet_colour(load, view)->colour),
+              brightness(wet_colour(blue, view).colour) + 30);
+}
+
 TEST(FilmInHand, IsWhatTheToolLaysOrTheMediumsOwn) {
     Hand hand;
     EXPECT_DOUBLE_EQ(film_in_hand_mm(hand), preset_in_hand(hand).paint.film_mm);

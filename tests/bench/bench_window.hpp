@@ -25,15 +25,17 @@ inline void prepare() {
     graphics::ask_for_opengl();
 }
 
-/// Of 1280 x 800, shown.
+inline constexpr QSize kWindow(1280, 800);
+
+/// Shown.
 class Window {
   public:
-    explicit Window(const document::CanvasSettings& canvas) {
+    explicit Window(const document::CanvasSettings& canvas, const QSize& size = kWindow) {
         appearance::apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()),
                                 appearance::Theme::Dark);
         use_own_folders(home_);
         window_.emplace(canvas);
-        window_->resize(1280, 800);
+        window_->resize(size);
         window_->show();
         shown_ = QTest::qWaitForWindowExposed(&*window_);
     }

@@ -5,13 +5,17 @@
 #include "panels/paint/load_panel.hpp"
 #include "panels/paint/paint_panel.hpp"
 
+#include <utility>
+
 namespace pastoso::main {
 
 Swatches::Swatches(Studio& studio, const PanelSet& panels) : studio_(studio), panels_(panels) {
     const view::CanvasView& canvas = studio_.canvas();
     connect(&studio_, &Studio::hand_changed, this, &Swatches::follow_hand);
-    connect(&studio_, &Studio::published, this,
-            [this](const auto& painting) { follow_ground(*painting); });
+    connect(&studio_, &Studio::published, this, [this](const auto& painting) {
+        follow_ground(*painting);
+        if (std::exchange(load_, painting->brush_load) != load_) show_paint_in_hand();
+    });
     connect(&canvas, &view::CanvasView::lighting_changed, this, &Swatches::follow_light);
     connect(&canvas, &view::CanvasView::viewing_changed, this, &Swatches::follow_light);
 }
@@ -21,6 +25,7 @@ void Swatches::follow_hand(const tools::Hand& hand) {
     view.medium = document::medium_of(hand.medium);
     view.spot.film_mm = tools::film_in_hand_mm(hand);
     show(view);
+    show_paint_in_hand();
 }
 
 void Swatches::follow_ground(const document::Snapshot& painting) {
@@ -43,6 +48,16 @@ void Swatches::show(const tools::SwatchView& view) {
     panels_.paints->show_swatches(view_);
     panels_.load->show_swatches(view_);
     panels_.colours->show_swatches(view_);
+    show_paint_in_hand();
+}
+
+void Swatches::show_paint_in_hand() {
+    const tools::Hand& hand = studio_.easel().hand();
+    interactions::PaintInHand paint{.held = tools::wet_colour(load_, view_)};
+    if (hand.reload_each_stroke && tools::preset_in_hand(hand).dips)
+        paint.dipped = tools::wet_colour(hand.paint, view_);
+    for (interactions::OnCanvas* on : studio_.on_views())
+        on->paint.set_paint(paint);
 }
 
 }  // namespace pastoso::main

@@ -1,4 +1,5 @@
-// Shows every swatch of paint in the window as a flat spot of it will look on the canvas.
+// Shows every swatch of paint in the window, and what the brush holds, as a flat spot of it will look on
+// the canvas.
 #pragma once
 
 #include "main/panel_set.hpp"
@@ -22,10 +23,12 @@ class Swatches : public QObject {
     void follow_ground(const document::Snapshot& painting);
     void follow_light();
     void show(const tools::SwatchView& view);
+    void show_paint_in_hand();
 
     Studio& studio_;
     const PanelSet& panels_;
     tools::SwatchView view_;
+    brush::LoadProfile load_;
 };
 
 }  // namespace pastoso::main

@@ -48,6 +48,12 @@ PenButtons::PenButtons(const tools::PenSettings& settings, QWidget* parent) : QW
     fingers->setChecked(settings.fingers_paint);
     connect(fingers, &QCheckBox::toggled, this, &PenButtons::fingers_chosen);
     column->addWidget(fingers);
+    auto* mark = new QCheckBox(tr("Wet mark"));
+    mark->setObjectName(QStringLiteral("wet_mark"));
+    mark->setToolTip(tr("Shows paint under the pen at once, until the paint itself is on the screen"));
+    mark->setChecked(settings.wet_mark);
+    connect(mark, &QCheckBox::toggled, this, &PenButtons::mark_chosen);
+    column->addWidget(mark);
     column->addStretch(1);
 }
 

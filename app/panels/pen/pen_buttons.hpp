@@ -1,4 +1,4 @@
-// What the ends and buttons of pens do, and fingers.
+// What the ends and buttons of pens do, and fingers; what runs ahead of the brush.
 #pragma once
 
 #include "tools/pen_settings.hpp"
@@ -18,6 +18,7 @@ class PenButtons : public QWidget {
     void eraser_chosen(const QString& tool);  ///< empty: the end paints like the tip
     void button_chosen(tools::PenButton button, const tools::PenAction& action);
     void fingers_chosen(bool paint);
+    void mark_chosen(bool at_once);
 
   private:
     QComboBox* eraser_choice(const std::string& chosen);

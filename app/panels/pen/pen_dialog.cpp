@@ -140,6 +140,10 @@ QWidget* PenDialog::make_buttons_part() {
         settings_.fingers_paint = paint;
         change();
     });
+    connect(part, &PenButtons::mark_chosen, this, [this](bool at_once) {
+        settings_.wet_mark = at_once;
+        change();
+    });
     return part;
 }
 

@@ -1,0 +1,91 @@
+#include "interactions/stroke_ahead.hpp"
+
+#include "core/check.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pastoso::interactions {
+namespace {
+
+/// The brush follows the hand about so late, and the screen the brush: that is made up for.
+constexpr double kLag_s = 0.024;
+
+/// One sample more lies in between: the path is behind by one.
+constexpr int kForetold = 3;
+
+}  // namespace
+
+void StrokeAhead::begin(const brush::HandPath& path, const brush::PenSample& sample,
+                        std::uint64_t number) {
+    lifted_ = path_ = path;
+    samples_ = {{sample, number}};
+    places_.clear();
+    path_->begin(sample);
+    take_steps(number);
+    forecast_.start(sample);
+    foretells_ = true;
+}
+
+void StrokeAhead::add(const brush::PenSample& sample, std::uint64_t number) {
+    if (!path_) return;
+    samples_.push_back({sample, number});
+    path_->add(sample);
+    take_steps(number);
+    forecast_.add(sample);
+    foretells_ = true;
+}
+
+void StrokeAhead::turn(double rotation_deg) {
+    if (!path_) return;
+    places_.clear();
+    const auto samples = std::exchange(samples_, {});
+    for (Told told : samples) {
+        told.pen.rotation_deg = rotation_deg;
+        if (samples_.empty())
+            begin(*lifted_, told.pen, told.number);
+        else
+            add(told.pen, told.number);
+    }
+    shown(shown_);
+}
+
+void StrokeAhead::end(std::uint64_t number) {
+    if (!path_) return;
+    path_->end();
+    take_steps(number);
+    path_.reset();
+}
+
+void StrokeAhead::shown(std::uint64_t number) {
+    shown_ = number;
+    while (places_.size() > 1 && places_[1].number <= shown_)
+        places_.pop_front();
+}
+
+std::vector<brush::PenSample> StrokeAhead::places() const {
+    std::vector<brush::PenSample> places;
+    for (const Told& place : places_)
+        places.push_back(place.pen);
+    for (const brush::PathStep& step : foretold())
+        places.push_back(step.pen);
+    const bool first_is_shown = !places_.empty() && places_.front().number <= shown_;
+    if (first_is_shown && places.size() == 1) places.clear();
+    return places;
+}
+
+void StrokeAhead::take_steps(std::uint64_t number) {
+    for (const brush::PathStep& step : path_->take_steps())
+        places_.push_back({step.pen, number});
+    shown(shown_);
+}
+
+std::vector<brush::PathStep> StrokeAhead::foretold() const {
+    if (!path_ || !foretells_) return {};
+    brush::HandPath path = *path_;
+    for (int i = 1; i <= kForetold; ++i)
+        path.add(forecast_.after(kLag_s * i / (kForetold - 1)));
+    return path.take_steps();
+}
+
+}  // namespace pastoso::interactions
