@@ -274,5 +274,28 @@ TEST_F(HandWindow, PenMouseAndFingerEndWhereTheyLift) {
     ends_at("finger");
 }
 
+// The fixture's tip tells its tilt, its eraser end does not.
+TEST_F(HandWindow, APenWithoutTiltIsHeldAsTheHandHoldsATool) {
+    tools::PenSettings pen = canvas().pen();
+    pen.eraser_tool = "";
+    canvas().set_pen(pen);
+    studio().easel().set_tilted(true);
+    pen_stroke(line_mm({10.0, 20.0}, {40.0, 20.0}), {.tilt_x_deg = 10, .eraser_end = false});
+    for (const brush::PenSample& sample : latest_stroke())
+        EXPECT_EQ(sample.tilt_x_deg, 10.0);
+    pen_stroke(line_mm({10.0, 10.0}, {40.0, 10.0}), {.eraser_end = true});
+    const std::vector<brush::PenSample> aslant = latest_stroke();
+    ASSERT_FALSE(aslant.empty());
+    for (const brush::PenSample& sample : aslant) {
+        EXPECT_GT(sample.tilt_x_deg, 20.0);
+        EXPECT_EQ(sample.tilt_x_deg, aslant.front().tilt_x_deg);
+        EXPECT_EQ(sample.tilt_y_deg, sample.tilt_x_deg);
+    }
+    studio().easel().set_tilted(false);
+    pen_stroke(line_mm({10.0, 30.0}, {40.0, 30.0}), {.eraser_end = true});
+    for (const brush::PenSample& sample : latest_stroke())
+        EXPECT_EQ(sample.tilt_x_deg, 0.0) << "upright";
+}
+
 }  // namespace
 }  // namespace pastoso::tests

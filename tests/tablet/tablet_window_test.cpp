@@ -1,0 +1,141 @@
+// A pen of the X server, from its driver to the painting: pressure, tilt, both ends, many events.
+// Runs under with_tablet.sh.
+#include "app/window_fixture.hpp"
+#include "document/actions/actions.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <fcntl.h>
+#include <string>
+#include <unistd.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QTest>
+
+namespace pastoso::tests {
+namespace {
+
+/// An end of the pen, as its driver is told of it.
+class PenEnd {
+  public:
+    explicit PenEnd(const char* end) {
+        const char* folder = std::getenv("PASTOSO_TEST_TABLET");
+        if (folder != nullptr) pipe_ = ::open((std::string(folder) + "/" + end).c_str(), O_WRONLY);
+    }
+    ~PenEnd() { ::close(pipe_); }
+    PenEnd(const PenEnd&) = delete;
+    PenEnd& operator=(const PenEnd&) = delete;
+
+    bool is_there() const { return pipe_ >= 0; }
+    void tell(const std::string& line) const {
+        const std::string text = line + "\n";
+        EXPECT_EQ(::write(pipe_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    }
+
+  private:
+    int pipe_ = -1;
+};
+
+class TabletWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        ASSERT_TRUE(tip_.is_there() && eraser_.is_there())
+            << "there is no tablet: with_tablet.sh has one";
+        action(commands::Command::Pause)->trigger();
+        settle();
+    }
+
+    std::string move(const glm::dvec2& mm, double pressure, double tilt_x_deg, double tilt_y_deg) {
+        const QPointF place =
+            canvas().mapToGlobal(canvas().widget_position(mm)) * canvas().devicePixelRatioF();
+        std::string line = "move";
+        for (const double value : {place.x(), place.y(), pressure, tilt_x_deg, tilt_y_deg})
+            line += " " + std::to_string(value);
+        return line;
+    }
+
+    /// A line across the canvas, all values turning evenly from 0 to 1.
+    void stroke(const PenEnd& end, int samples) {
+        const auto at = [&](int i) {
+            const double t = static_cast<double>(i) / samples;
+            return move({10.0 + 40.0 * t, 20.0}, 0.1 + 0.8 * t, 40.0 * t, -30.0 * t);
+        };
+        const std::int64_t before = strokes();
+        end.tell("near 1");
+        end.tell(at(0));
+        end.tell("tip 1");
+        for (int i = 1; i <= samples; ++i)
+            end.tell(at(i));
+        end.tell("tip 0");
+        end.tell("near 0");
+        wait_for([&] { return strokes() > before && !studio().easel().painting(); });
+    }
+    std::int64_t strokes() {
+        session().wait_until_applied();
+        return session().status().strokes;
+    }
+    std::vector<brush::PenSample> latest_stroke() {
+        session().wait_until_applied();
+        std::vector<brush::PenSample> samples;
+        for (const document::Event& event : session().recording().events) {
+            if (const auto* down = std::get_if<document::PenDown>(&event.action))
+                samples = {down->sample};
+            if (const auto* move = std::get_if<document::PenMove>(&event.action))
+                samples.push_back(move->sample);
+        }
+        return samples;
+    }
+
+    PenEnd tip_{"pen"}, eraser_{"eraser"};
+};
+
+TEST_F(TabletWindow, TheBrushIsPressedAndTiltedAsThePenIs) {
+    stroke(tip_, 40);
+    const std::vector<brush::PenSample> samples = latest_stroke();
+    ASSERT_GT(samples.size(), 30U);
+    for (const brush::PenSample& sample : samples) {
+        const double t = (sample.x_mm - 10.0) / 40.0;
+        // The screen's pixels are 0.1 mm; a tablet tells whole degrees.
+        EXPECT_NEAR(sample.y_mm, 20.0, 0.1);
+        EXPECT_NEAR(sample.pressure, 0.1 + 0.8 * t, 0.01);
+        EXPECT_NEAR(sample.tilt_x_deg, 40.0 * t, 1.1);
+        EXPECT_NEAR(sample.tilt_y_deg, -30.0 * t, 1.1);
+    }
+    EXPECT_NEAR(samples.back().x_mm, 50.0, 0.1);
+    EXPECT_GT(volume_mm3(), 1.0);
+}
+
+TEST_F(TabletWindow, NoSampleIsLostWhereManyWaitAtOnce) {
+    constexpr int kSamples = 1000;
+    stroke(tip_, kSamples);
+    EXPECT_GE(latest_stroke().size(), static_cast<std::size_t>(kSamples));
+}
+
+TEST_F(TabletWindow, TheOtherEndErasesAndTheTipPaintsAgain) {
+    const std::string brush = studio().easel().hand().brush;
+    stroke(tip_, 20);
+    const double painted_mm3 = volume_mm3();
+    stroke(eraser_, 20);
+    EXPECT_EQ(studio().easel().hand().brush, canvas().pen().eraser_tool);
+    EXPECT_LT(volume_mm3(), painted_mm3);
+    stroke(tip_, 20);
+    EXPECT_EQ(studio().easel().hand().brush, brush);
+    EXPECT_EQ(strokes(), 3);
+}
+
+TEST_F(TabletWindow, APenInTheAirPaintsNothing) {
+    tip_.tell("near 1");
+    for (int i = 0; i < 20; ++i)
+        tip_.tell(move({10.0 + i, 15.0}, 0.0, 0.0, 0.0));
+    wait_for([&] {
+        const auto pointer = canvas().pointer_mm();
+        return pointer && std::abs(pointer->x - 29.0) < 0.2;
+    });
+    tip_.tell("near 0");
+    EXPECT_EQ(strokes(), 0);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
