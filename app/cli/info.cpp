@@ -70,6 +70,7 @@ struct Inventory {
     long strokes = 0, well_strokes = 0, squeezes = 0;
 
     void operator()(const document::TakeBrush& take) { brushes.insert(take.preset); }
+    void operator()(const document::LayBrushAside& lay) { (*this)(lay.brush); }
     void operator()(const document::LoadPaint& load) {
         paints.insert(paint_text(load.paint));
         if (!load.second.ingredients.empty()) paints.insert(paint_text(load.second));

@@ -75,10 +75,33 @@ void Easel::take_brush(const brush::Preset& preset, double width_mm) {
 
 void Easel::post_brush() {
     brush_changed_ = false;
-    TakeBrush take{hand_.brush, hand_.brush_width_mm, brushes_taken_};
-    if (hand_.own_preset) take.definition = brush::preset_to_json(*hand_.own_preset);
-    post_(take);
+    post_(taken_of(hand_, brushes_taken_));
     reload();
+}
+
+void Easel::take_for_now(const brush::Preset& preset, double width_mm) {
+    end_stroke();
+    Hand other;
+    keep_preset(other, preset);
+    other.brush_width_mm = std::clamp(width_mm, kSmallestBrush_mm, kLargestBrush_mm);
+    aside_ = {};
+    ++brushes_taken_;
+    do_with_brushes(LayBrushAside{taken_of(other, brushes_taken_)});
+    swap_brushes();
+    if (preset.dips) post_(load_of(hand_));
+}
+
+void Easel::swap_brushes() {
+    end_stroke();
+    std::swap(aside_.mixed, mixed_);
+    std::swap(aside_.changed, brush_changed_);
+    do_with_brushes(SwapBrushes{});
+}
+
+/// In the hand as in the painting.
+void Easel::do_with_brushes(const document::Action& action) {
+    hand_ = hand_after(std::move(hand_), {{0, action}});
+    post_(action);
 }
 
 void Easel::change_brush(const brush::Preset& preset) {

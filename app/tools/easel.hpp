@@ -55,6 +55,12 @@ class Easel {
     void set_brush_width(double width_mm);
     void take_brush(const brush::Preset& preset, double width_mm);
 
+    /// Takes that tool, clean, or dipped where it is; the one in hand lies aside with what it holds.
+    void take_for_now(const brush::Preset& preset, double width_mm);
+
+    /// The tool in hand and the one that lies aside change places.
+    void swap_brushes();
+
     /// Changes what the brush in hand is like, from the next stroke on, which starts with it freshly
     /// dipped.
     void change_brush(const brush::Preset& preset);
@@ -135,6 +141,7 @@ class Easel {
     void end_stroke();
     void pour(const document::UseMedium& medium);
     void post_brush();
+    void do_with_brushes(const document::Action& action);
     void follow(const Pointer& pointer);
     void choose_guide(const Pointer& pointer, bool straight);
     bool turns_with_path(const Pointer& pointer) const;
@@ -163,6 +170,10 @@ class Easel {
     double previous_time_s_ = 0.0;
     std::uint32_t brushes_taken_ = 0;
     bool brush_changed_ = false;  ///< since it was posted
+    struct Aside {
+        bool mixed = false, changed = false;
+    };
+    Aside aside_;  ///< the same of the brush that lies there
 };
 
 }  // namespace pastoso::tools

@@ -6,20 +6,18 @@ namespace pastoso::tools {
 
 bool EraserEnd::turn_over(const std::string& tool, Easel& easel) {
     if (tool.empty() || in_use()) return false;
-    const Hand& hand = easel.hand();
-    before_ = Kept{preset_in_hand(hand), hand.brush_width_mm};
+    in_use_ = true;
     const brush::Preset& wanted = brush::find_preset(tool);
     if (std::exchange(tool_, wanted.name) != wanted.name) width_mm_ = wanted.tip.width_mm;
-    easel.take_brush(wanted, width_mm_);
+    easel.take_for_now(wanted, width_mm_);
     return true;
 }
 
 bool EraserEnd::turn_back(Easel& easel) {
-    if (!in_use()) return false;
-    const Kept before = *std::exchange(before_, std::nullopt);
+    if (!std::exchange(in_use_, false)) return false;
     if (easel.hand().brush != tool_) return false;
     width_mm_ = easel.hand().brush_width_mm;
-    easel.take_brush(before.preset, before.width_mm);
+    easel.swap_brushes();
     return true;
 }
 

@@ -3,7 +3,6 @@
 
 #include "tools/easel.hpp"
 
-#include <optional>
 #include <string>
 
 namespace pastoso::tools {
@@ -15,18 +14,14 @@ class EraserEnd {
     /// changed.
     bool turn_over(const std::string& tool, Easel& easel);
 
-    /// Gives back what was in hand, freshly dipped; a tool that the painter has taken since stays. True:
-    /// the hand has changed.
+    /// Gives back what was in hand, with the paint that it held; a tool that the painter has taken since
+    /// stays. True: the hand has changed.
     bool turn_back(Easel& easel);
 
-    bool in_use() const { return before_.has_value(); }
+    bool in_use() const { return in_use_; }
 
   private:
-    struct Kept {
-        brush::Preset preset;
-        double width_mm;
-    };
-    std::optional<Kept> before_;
+    bool in_use_ = false;
     std::string tool_;
     double width_mm_ = 0.0;  ///< of that tool when it was last given back
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pastoso::tools {
 namespace {
@@ -18,6 +19,12 @@ struct HandChange {
         hand.brush = preset.name;
         hand.own_preset = taken.definition.empty() ? std::nullopt : std::optional(preset);
         hand.brush_width_mm = taken.size_mm > 0.0 ? taken.size_mm : preset.tip.width_mm;
+    }
+    void operator()(const document::LayBrushAside& lay) const { hand.brush_aside = lay.brush; }
+    void operator()(const document::SwapBrushes&) const {
+        if (!hand.brush_aside) return;
+        const document::TakeBrush taken = *std::exchange(hand.brush_aside, taken_of(hand));
+        (*this)(taken);
     }
     void operator()(const document::LoadPaint& load) const {
         using Way = Dip::Way;
@@ -66,6 +73,12 @@ document::LoadPaint load_of(const Hand& hand) {
     load.second_share = load.side_by_side ? 0.5 : hand.dip.second_share;
     load.share_variation = load.side_by_side ? 0.0 : kHalfMixed;
     return load;
+}
+
+document::TakeBrush taken_of(const Hand& hand, std::uint32_t seed) {
+    document::TakeBrush take{hand.brush, hand.brush_width_mm, seed};
+    if (hand.own_preset) take.definition = brush::preset_to_json(*hand.own_preset);
+    return take;
 }
 
 Hand hand_after(Hand hand, const std::vector<document::Event>& events) {

@@ -4,6 +4,7 @@
 #include "brush/preset.hpp"
 #include "document/events.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct Hand {
     /// The brush where it is not the bundled one of that name: the painter's own, or changed in hand.
     std::optional<brush::Preset> own_preset;
     double brush_width_mm = 20.0;
+    std::optional<document::TakeBrush> brush_aside;  ///< as it was laid there
     document::PaintRecipe paint{{{"PB29", 1.0}}, 1.0};
     document::PaintRecipe second_paint{{{"PW6", 1.0}}, 1.0};  ///< beside the first, for loads of two
     Dip dip;
@@ -50,6 +52,9 @@ struct Hand {
 
 /// The brush in hand, as wide as its preset says.
 brush::Preset preset_in_hand(const Hand& hand);
+
+/// The action that takes that brush.
+document::TakeBrush taken_of(const Hand& hand, std::uint32_t seed = 1);
 
 /// What the brush is dipped in.
 document::LoadPaint load_of(const Hand& hand);

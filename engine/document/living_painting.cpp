@@ -99,7 +99,8 @@ void LivingPainting::finish_contacts() {
 }
 
 void LivingPainting::touch_brush() {
-    if (value.brush) value.brush->touch = ++brush_touches;
+    for (auto* brush : {&value.brush, &value.brush_aside})
+        if (*brush) (*brush)->touch = ++brush_touches;
 }
 
 film::Solver& LivingPainting::used_well() {
@@ -137,7 +138,9 @@ brush::Contents LivingPainting::contents_of(const LayerPaint& paint) const {
 }
 
 brush::Contents LivingPainting::held_paint() const {
-    brush::Contents sum = value.brush ? value.brush->brush.contents() : brush::Contents{};
+    brush::Contents sum;
+    for (const auto* brush : {&value.brush, &value.brush_aside})
+        if (*brush) sum += (*brush)->brush.contents();
     if (stroke) sum += stroke->copied_paint();
     return sum;
 }

@@ -45,6 +45,7 @@ struct PaintingValue {
     LayerStack layers = single_layer();
     std::optional<film::FilmState> well{};  ///< none: nothing has touched it
     std::optional<BrushInHand> brush{};
+    std::optional<BrushInHand> brush_aside{};  ///< laid there, with what it holds
     UseMedium medium{};  ///< in hand: what the next paint is mixed with
     TiltCanvas tilt{};
     film::DryingAir air{};
@@ -60,10 +61,10 @@ struct PaintingValue {
 /// do with it.
 template <class Value>
 auto fields_of(Value& value) {
-    auto& [bare, film, layers, well, brush, medium, tilt, air, aids, symmetry, selection, tracing,
-           flows] = value;
-    return std::tie(bare, film, layers, well, brush, medium, tilt, air, aids, symmetry, selection,
-                    tracing, flows);
+    auto& [bare, film, layers, well, brush, brush_aside, medium, tilt, air, aids, symmetry, selection,
+           tracing, flows] = value;
+    return std::tie(bare, film, layers, well, brush, brush_aside, medium, tilt, air, aids, symmetry,
+                    selection, tracing, flows);
 }
 
 /// Calls visit(field of the first value, field of the second, ...) for every field.

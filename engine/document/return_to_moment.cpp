@@ -25,19 +25,20 @@ void return_well_to(const Moment& then, bool same_medium, LivingPainting& painti
     restart(solver, then.well_awake, same_medium);
 }
 
-std::uint64_t touch_of(const PaintingValue& painting) {
-    return painting.brush ? painting.brush->touch : 0;
+std::uint64_t touch_of(const std::optional<BrushInHand>& brush) {
+    return brush ? brush->touch : 0;
 }
 
 /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is, as
 /// if it had been filled afresh, and what was on the old one counts as wiped off.
-void return_brush_to(const PaintingValue& then, PaintingValue& now) {
+void return_brush_to(const std::optional<BrushInHand>& then, std::optional<BrushInHand>& now,
+                     PaintFlows& flows) {
     if (touch_of(now) == touch_of(then)) {
-        now.brush = then.brush;
+        now = then;
         return;
     }
-    if (now.brush) now.flows.taken += now.brush->brush.contents();
-    if (then.brush) now.flows.wiped += then.brush->brush.contents();
+    if (now) flows.taken += now->brush.contents();
+    if (then) flows.wiped += then->brush.contents();
 }
 
 }  // namespace
@@ -52,7 +53,8 @@ void LivingPainting::return_to(const Moment& then) {
     value.flows = {.taken = then.value.flows.taken,
                    .wiped = then.value.flows.wiped,
                    .forgotten_run_off = difference(canvas.solver.runoff(), then.run_off)};
-    return_brush_to(then.value, value);
+    return_brush_to(then.value.brush, value.brush, value.flows);
+    return_brush_to(then.value.brush_aside, value.brush_aside, value.flows);
     restart(canvas.solver, then.awake, same_medium && then.value.tilt == value.tilt);
 }
 

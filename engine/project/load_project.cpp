@@ -191,24 +191,28 @@ bool is_possible(const brush::Contents& held) {
                        [most](double amount) { return amount >= -kRounding && amount <= most; });
 }
 
-void read_brush(const ZipReader& archive, const BrushIndex& index, document::PaintingValue& painting) {
-    if (!painting.brush) archive.fail(kSetupEntry, "there is no brush in hand that could hold paint.");
-    brush::Brush& brush = painting.brush->brush;
+/// What the index tells of a brush that the set-up has put there.
+void read_brush(const ZipReader& archive, const std::optional<BrushIndex>& told, const char* which,
+                const film::Medium& medium, std::optional<document::BrushInHand>& in_hand) {
+    if (told.has_value() != in_hand.has_value())
+        archive.fail(kIndexEntry, std::string("the brush ") + which + " is told of only in part.");
+    if (!told) return;
+    const BrushIndex& index = *told;
+    brush::Brush& brush = in_hand->brush;
     brush.gathering = index.gathering;
     brush.shape_tip();
     const Bytes content = read_packed(archive, index.held);
     if (content.size() != brush.held.size() * sizeof(brush::Contents)) {
-        archive.fail(index.held.entry,
-                     "holds the paint of another brush than the one in hand, which has " +
-                         std::to_string(brush.held.size()) + " bristles.");
+        archive.fail(index.held.entry, std::string("holds the paint of another brush than the one ") +
+                                           which + ", which has " + std::to_string(brush.held.size()) +
+                                           " bristles.");
     }
     std::memcpy(static_cast<void*>(brush.held.data()), content.data(), content.size());
     brush.strokes_begun = index.strokes_begun;
     if (!std::all_of(brush.held.begin(), brush.held.end(), is_possible))
         archive.fail(index.held.entry, "a bristle holds what none can.");
     if (index.media) brush.media = *index.media;
-    brush.consistencies = index.consistencies.value_or(
-        told_by_paint(brush.contents(), document::medium_of(painting.medium)));
+    brush.consistencies = index.consistencies.value_or(told_by_paint(brush.contents(), medium));
 }
 
 void read_selection(const ZipReader& archive, const PackedEntry& packed,
@@ -268,9 +272,9 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     value.flows = index.flows;
     read_layers(archive, index, setup.canvas, project, pool);
     if (index.well) read_well(archive, *index.well, painting, pool);
-    if (index.brush.has_value() != value.brush.has_value())
-        archive.fail(kIndexEntry, "the brush in hand is told of only in part.");
-    if (index.brush) read_brush(archive, *index.brush, value);
+    const film::Medium medium = document::medium_of(value.medium);
+    read_brush(archive, index.brush, "in hand", medium, value.brush);
+    read_brush(archive, index.brush_aside, "aside", medium, value.brush_aside);
     if (index.selection) read_selection(archive, *index.selection, value);
     if (index.tracing) read_tracing(archive, *index.tracing, value);
     read_strokes(archive, index.strokes, setup.canvas, painting.tick, project);

@@ -329,6 +329,15 @@ brush::Gathering read_gathering(const JsonPlace& place) {
     return gathering;
 }
 
+Json brush_json(const BrushIndex& brush) {
+    return {{"strokes_begun", brush.strokes_begun},
+            {"gatherings", brush.gathering.number},
+            {"worn_mm", brush.gathering.worn_mm},
+            {"consistency", consistencies_json(brush.consistencies.value())},
+            {"media", held_media_json(brush.media.value())},
+            {"held", packed_json(brush.held)}};
+}
+
 BrushIndex read_brush(const JsonPlace& place) {
     place.allow_only({"strokes_begun", "gatherings", "worn_mm", "consistency", "media", "held"});
     constexpr std::size_t kMostBristles = 2000;
@@ -376,8 +385,8 @@ void check_header(const JsonPlace& root) {
                   "; this program reads up to " + std::to_string(kProjectFormatVersion) + ").");
     }
     root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
-                     "bare_support", "support_form", "well", "brush", "selection", "tracing",
-                     "strokes"});
+                     "bare_support", "support_form", "well", "brush", "brush_aside", "selection",
+                     "tracing", "strokes"});
 }
 
 }  // namespace
@@ -411,14 +420,8 @@ std::string index_to_json(const ProjectIndex& index) {
     if (index.bare_support) json["bare_support"] = surface_json(*index.bare_support);
     if (!index.bare_support) json["support_form"] = form_name(index.support_form);
     if (index.well) json["well"] = surface_json(*index.well);
-    if (index.brush) {
-        json["brush"] = {{"strokes_begun", index.brush->strokes_begun},
-                         {"gatherings", index.brush->gathering.number},
-                         {"worn_mm", index.brush->gathering.worn_mm},
-                         {"consistency", consistencies_json(index.brush->consistencies.value())},
-                         {"media", held_media_json(index.brush->media.value())},
-                         {"held", packed_json(index.brush->held)}};
-    }
+    if (index.brush) json["brush"] = brush_json(*index.brush);
+    if (index.brush_aside) json["brush_aside"] = brush_json(*index.brush_aside);
     if (index.selection) json["selection"] = packed_json(*index.selection);
     if (index.tracing) json["tracing"] = recordings::set_tracing_json(*index.tracing);
     json["strokes"] = packed_json(index.strokes);
@@ -444,6 +447,7 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     index.support_form = read_form(root.optional_entry("support_form"));
     if (const auto well = root.optional_entry("well")) index.well = read_surface(*well);
     if (const auto brush = root.optional_entry("brush")) index.brush = read_brush(*brush);
+    if (const auto brush = root.optional_entry("brush_aside")) index.brush_aside = read_brush(*brush);
     if (const auto selection = root.optional_entry("selection"))
         index.selection = read_packed_alone(*selection, kMostSelectionBytes);
     if (const auto tracing = root.optional_entry("tracing")) {

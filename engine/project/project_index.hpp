@@ -14,7 +14,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 9;
+inline constexpr int kProjectFormatVersion = 10;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -74,6 +74,7 @@ struct ProjectIndex {
     film::SupportForm support_form = film::SupportForm::Levels;  ///< where a name tells it
     std::optional<SurfaceIndex> well{};
     std::optional<BrushIndex> brush{};
+    std::optional<BrushIndex> brush_aside{};  ///< none in formats before 10
     std::optional<PackedEntry> selection{};
     std::optional<document::SetTracing> tracing{};  ///< where its picture lies in an entry of its own
     PackedEntry strokes{};

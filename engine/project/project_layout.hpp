@@ -11,6 +11,7 @@ inline constexpr const char* kIndexEntry = "pastoso/index.json";
 inline constexpr const char* kSetupEntry = "pastoso/setup.json";
 inline constexpr const char* kStrokesEntry = "pastoso/strokes.json.zst";
 inline constexpr const char* kBrushEntry = "pastoso/brush.zst";
+inline constexpr const char* kBrushAsideEntry = "pastoso/brush-aside.zst";
 inline constexpr const char* kSelectionEntry = "pastoso/selection.zst";
 inline constexpr const char* kTracingEntry = "pastoso/tracing.png";
 inline constexpr const char* kBareSupportFolder = "pastoso/bare/";

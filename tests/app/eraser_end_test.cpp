@@ -34,7 +34,43 @@ TEST_F(EraserEndTest, TakesItsToolAndGivesBackTheOneBefore) {
     EXPECT_EQ(preset_in_hand(easel_.hand()), own);
     EXPECT_EQ(easel_.hand().brush_width_mm, 17.0);
     EXPECT_FALSE(end_.turn_back(easel_));
-    EXPECT_EQ(brushes_taken(), 3);
+    EXPECT_EQ(brushes_taken(), 1) << "and none by the eraser";
+}
+
+TEST_F(EraserEndTest, TheBrushComesBackWithWhatItHeld) {
+    easel_.take_brush("Filbert 14", 14.0);
+    actions_.clear();
+    end_.turn_over("Eraser 15", easel_);
+    end_.turn_back(easel_);
+    ASSERT_EQ(actions_.size(), 3U);
+    EXPECT_EQ(std::get<document::LayBrushAside>(actions_[0]).brush.preset, "Eraser 15");
+    EXPECT_TRUE(std::holds_alternative<document::SwapBrushes>(actions_[1]));
+    EXPECT_TRUE(std::holds_alternative<document::SwapBrushes>(actions_[2]));
+}
+
+TEST_F(EraserEndTest, AChangeOfTheBrushOutlivesTheEraser) {
+    easel_.take_brush("Filbert 14", 14.0);
+    brush::Preset changed = preset_in_hand(easel_.hand());
+    changed.paint.film_mm *= 2.0;
+    easel_.change_brush(changed);
+    end_.turn_over("Eraser 15", easel_);
+    end_.turn_back(easel_);
+    EXPECT_EQ(preset_in_hand(easel_.hand()).paint.film_mm, changed.paint.film_mm);
+    actions_.clear();
+    easel_.press(Pointer{});
+    EXPECT_EQ(brushes_taken(), 1);
+}
+
+TEST_F(EraserEndTest, AHandThatIsFollowedHoldsTheSame) {
+    easel_.take_brush("Filbert 14", 14.0);
+    end_.turn_over("Eraser 15", easel_);
+    std::vector<document::Event> events;
+    for (const document::Action& action : actions_)
+        events.push_back({0, action});
+    EXPECT_EQ(hand_after({}, events).brush, "Eraser 15");
+    events.push_back({1, document::SwapBrushes{}});
+    EXPECT_EQ(hand_after({}, events).brush, "Filbert 14");
+    EXPECT_EQ(hand_after({}, events).brush_width_mm, 14.0);
 }
 
 TEST_F(EraserEndTest, KeepsItsOwnWidth) {

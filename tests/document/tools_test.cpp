@@ -2,6 +2,7 @@
 #include "brush/preset.hpp"
 #include "document/error_of.hpp"
 #include "document/painting.hpp"
+#include "document/painting_state.hpp"
 #include "document/scenes.hpp"
 
 #include <gmock/gmock.h>
@@ -128,6 +129,46 @@ TEST_F(Tools, ABrokenDefinitionLeavesThePreviousToolInHand) {
                 }),
                 HasSubstr("the brush \"Mine\": kind is missing."));
     EXPECT_EQ(painting.account().brush.volume_mm3, held_mm3);
+}
+
+TEST_F(Tools, ABrushThatLiesAsideKeepsItsPaint) {
+    painting.apply(TakeBrush{"impasto flat 18", 10, 1});
+    painting.apply(load_of("PB29"));
+    const Account before = painting.account();
+    painting.apply(LayBrushAside{{"rag", 12, 1}});
+    painting.apply(SwapBrushes{});
+    EXPECT_EQ(painting.snapshot().brush_load.fill, 0.0);
+    EXPECT_EQ(painting.account().brush.volume_mm3, before.brush.volume_mm3);
+    paint_wave(painting, 0.0, 15.0);
+    EXPECT_EQ(canvas_mm3(), 0.0) << "the rag has nothing to lay";
+    painting.apply(SwapBrushes{});
+    EXPECT_EQ(painting.account().brush.volume_mm3, before.brush.volume_mm3);
+    EXPECT_EQ(painting.account().taken.volume_mm3, before.taken.volume_mm3);
+    paint_wave(painting, 1.0, 15.0);
+    EXPECT_GT(canvas_mm3(), 10.0);
+    expect_balance();
+}
+
+TEST_F(Tools, WhatLiesAsideIsWipedWhenAnotherBrushIsLaidThere) {
+    painting.apply(TakeBrush{"impasto flat 18", 10, 1});
+    painting.apply(load_of("PB29"));
+    const double held_mm3 = painting.account().brush.volume_mm3;
+    painting.apply(LayBrushAside{{"rag", 12, 1}});
+    painting.apply(SwapBrushes{});
+    const double wiped_mm3 = painting.account().ledger.volume_mm3;
+    painting.apply(LayBrushAside{{"rag", 20, 1}});
+    EXPECT_EQ(painting.account().brush.volume_mm3, 0.0);
+    EXPECT_NEAR(painting.account().ledger.volume_mm3, wiped_mm3 + held_mm3, 1e-9 * held_mm3);
+    expect_balance();
+}
+
+TEST_F(Tools, WhereNoBrushLiesAsideNoneIsSwapped) {
+    painting.apply(TakeBrush{"impasto flat 18", 10, 1});
+    painting.apply(load_of("PB29"));
+    const double held_mm3 = painting.account().brush.volume_mm3;
+    painting.apply(SwapBrushes{});
+    EXPECT_EQ(painting.account().brush.volume_mm3, held_mm3);
+    EXPECT_EQ(painting.state().value.brush->taken.preset, "impasto flat 18");
 }
 
 }  // namespace

@@ -43,6 +43,16 @@ void change_layers(Painting& painting, std::uint32_t number) {
         painting.apply(SelectLayer{layer});
 }
 
+/// Dips the brush in hand, or takes the one that lies aside.
+void change_brushes(Painting& painting, std::uint32_t number) {
+    const auto choice = core::scramble(number + 3) % 4;
+    if (choice == 0) painting.apply(LayBrushAside{{"round sable 9", 6, number}});
+    if (choice < 2)
+        painting.apply(SwapBrushes{});
+    else
+        painting.apply(load_of(number % 2 == 0 ? "PB29" : "PR254"));
+}
+
 /// One of the things that painters do, chosen by a number.
 void do_something(Painting& painting, std::uint32_t number) {
     const auto choice = core::scramble(number) % 20;
@@ -57,7 +67,7 @@ void do_something(Painting& painting, std::uint32_t number) {
     else if (choice == 8)
         painting.apply(CleanWell{});
     else if (choice == 9)
-        painting.apply(load_of(number % 2 == 0 ? "PB29" : "PR254"));
+        change_brushes(painting, number);
     else if (choice < 14)
         change_layers(painting, number);
     else

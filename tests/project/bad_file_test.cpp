@@ -81,10 +81,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":9", "\"version\":10"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 10; this "
-        "program reads up to 9).");
-    EXPECT_THAT(error_of_index("\"version\":9", "\"version\":0"),
+        error_of_index("\"version\":10", "\"version\":11"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 11; this "
+        "program reads up to 10).");
+    EXPECT_THAT(error_of_index("\"version\":10", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }
@@ -292,6 +292,12 @@ TEST_F(BadProject, ABrushThatCannotBeIsRefused) {
     EXPECT_THAT(with([](auto& brush) { brush.held[3].paint[2] = 1e12; }),
                 HasSubstr("holds what none can"));
     EXPECT_THAT(with([](auto& brush) { brush.held.pop_back(); }), HasSubstr("paint of another brush"));
+    Project aside = good;
+    aside.painting.value.brush_aside = good.painting.value.brush;
+    aside.painting.value.brush_aside->brush.held.pop_back();
+    EXPECT_THAT(
+        error_of_painting(aside),
+        HasSubstr("pastoso/brush-aside.zst: holds the paint of another brush than the one aside"));
 }
 
 }  // namespace

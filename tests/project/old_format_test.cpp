@@ -118,6 +118,15 @@ TEST_F(OldFormat, EightHasPaintOfTheMediumInHand) {
     EXPECT_EQ(document::state_hash(old.painting), 0xb670b9405b933726U);
 }
 
+/// A pen has erased since when a brush can lie aside.
+TEST_F(OldFormat, NineHasNoBrushAside) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-9.pastoso"), pool);
+    EXPECT_FALSE(old.painting.value.brush_aside.has_value());
+    EXPECT_TRUE(old.painting.value.brush->brush.holds_paint());
+    EXPECT_EQ(old.notes, std::vector<std::string>());
+    EXPECT_EQ(document::state_hash(old.painting), 0x4b576c071a99a065U);
+}
+
 /// Its brush was dipped before dips gathered hairs, and tells a tool of those days.
 TEST_F(OldFormat, FiveHasABrushThatIsAsItWasMade) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-5.pastoso"), pool);

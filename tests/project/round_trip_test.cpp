@@ -254,6 +254,25 @@ TEST_F(ProjectRoundTrip, TheSamePaintingGivesTheSameBytesAndALoadedOneToo) {
     EXPECT_EQ(file_of(parse_project(first, "it", pool), folder, pool), first);
 }
 
+TEST_F(ProjectRoundTrip, TheBrushThatLiesAsideIsSavedWithItsPaint) {
+    const Project project = busy_project(pool);
+    document::Painting painting(project.painting, pool);
+    painting.apply(document::LayBrushAside{{"Eraser 15", 9.0, 7}});
+    painting.apply(document::SwapBrushes{});
+    const LoadedProject loaded = saved_and_loaded({painting.state(), project.strokes});
+    EXPECT_EQ(document::state_hash(loaded.painting), document::state_hash(painting.state()));
+    document::Painting opened(loaded.painting, pool);
+    EXPECT_EQ(opened.account().brush.volume_mm3, painting.account().brush.volume_mm3);
+    EXPECT_GT(opened.account().brush.volume_mm3, 0.0);
+    for (document::Painting* each : {&painting, &opened}) {
+        each->apply(document::SwapBrushes{});
+        each->apply(document::PenDown{{.x_mm = 5.0, .y_mm = 5.0}});
+        each->apply(document::PenMove{{.time_s = 0.1, .x_mm = 12.0, .y_mm = 9.0}});
+        each->apply(document::PenUp{});
+    }
+    EXPECT_EQ(opened.state_hash(), painting.state_hash());
+}
+
 TEST_F(ProjectRoundTrip, AHeightImageIsNotNeededAgain) {
     files::write_image(folder / "bumps.tif",
                        pigment::Image8{3, 2,

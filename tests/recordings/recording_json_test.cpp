@@ -211,8 +211,8 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":11,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 11; this program reads up to 10).");
+        error(R"({"format":"pastoso-strokes","version":12,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 12; this program reads up to 11).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {

@@ -7,6 +7,25 @@
 #include <utility>
 
 namespace pastoso::document {
+namespace {
+
+BrushInHand clean_brush(const TakeBrush& take, const std::optional<BrushInHand>& before) {
+    brush::Brush brush(preset_of(take), take.size_mm, take.seed);
+    if (before) brush.gathering.number = before->brush.gathering.number;
+    brush.shape_tip();
+    return {take, std::move(brush)};
+}
+
+TakeBrush told_in_full(TakeBrush take) {
+    take.definition = brush::preset_to_json(preset_of(take));
+    return take;
+}
+
+void wipe(std::optional<BrushInHand>& brush, PaintFlows& flows) {
+    if (brush) flows.wiped += brush->brush.clean();
+}
+
+}  // namespace
 
 brush::Preset preset_of(const TakeBrush& take) {
     if (take.definition.empty()) return brush::find_preset(take.preset);
@@ -15,6 +34,10 @@ brush::Preset preset_of(const TakeBrush& take) {
 
 void check_whole(const TakeBrush& take) {
     preset_of(take);
+}
+
+void check_whole(const LayBrushAside& lay) {
+    preset_of(lay.brush);
 }
 
 void check_whole(const LoadPaint& load) {
@@ -27,23 +50,41 @@ void check_possible(const LoadPaint&, const LivingPainting& painting) {
 }
 
 void put_in_hand(const TakeBrush& take, PaintingValue& painting) {
-    brush::Brush brush(preset_of(take), take.size_mm, take.seed);
-    if (painting.brush) brush.gathering.number = painting.brush->brush.gathering.number;
-    brush.shape_tip();
-    painting.brush = BrushInHand{take, std::move(brush)};
+    painting.brush = clean_brush(take, painting.brush);
 }
 
 std::optional<TakeBrush> in_hand(std::type_identity<TakeBrush>, const PaintingValue& painting) {
     if (!painting.brush) return std::nullopt;
-    TakeBrush take = painting.brush->taken;
-    take.definition = brush::preset_to_json(preset_of(take));
-    return take;
+    return told_in_full(painting.brush->taken);
+}
+
+void put_in_hand(const LayBrushAside& lay, PaintingValue& painting) {
+    painting.brush_aside = clean_brush(lay.brush, painting.brush_aside);
+}
+
+std::optional<LayBrushAside> in_hand(std::type_identity<LayBrushAside>, const PaintingValue& painting) {
+    if (!painting.brush_aside) return std::nullopt;
+    return LayBrushAside{told_in_full(painting.brush_aside->taken)};
 }
 
 void apply(const TakeBrush& take, LivingPainting& painting) {
     PaintingValue& value = painting.value;
-    if (value.brush) value.flows.wiped += value.brush->brush.clean();
+    wipe(value.brush, value.flows);
     put_in_hand(take, value);
+    painting.touch_brush();
+}
+
+void apply(const LayBrushAside& lay, LivingPainting& painting) {
+    PaintingValue& value = painting.value;
+    wipe(value.brush_aside, value.flows);
+    put_in_hand(lay, value);
+    painting.touch_brush();
+}
+
+void apply(const SwapBrushes&, LivingPainting& painting) {
+    PaintingValue& value = painting.value;
+    if (!value.brush_aside) return;
+    std::swap(value.brush, value.brush_aside);
     painting.touch_brush();
 }
 

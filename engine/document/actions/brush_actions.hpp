@@ -39,7 +39,17 @@ struct CleanBrush {      ///< wipes paint off the brush, into the ledger
     friend bool operator==(const CleanBrush&, const CleanBrush&) = default;
 };
 
-using BrushActions = ActionList<TakeBrush, LoadPaint, CleanBrush>;
+/// A clean brush lies aside; what the one held that lay there goes to the ledger.
+struct LayBrushAside {
+    TakeBrush brush{};
+    friend bool operator==(const LayBrushAside&, const LayBrushAside&) = default;
+};
+/// The brush in hand and the one that lies aside change places, as they are; none where none lies there.
+struct SwapBrushes {
+    friend bool operator==(const SwapBrushes&, const SwapBrushes&) = default;
+};
+
+using BrushActions = ActionList<TakeBrush, LoadPaint, CleanBrush, LayBrushAside, SwapBrushes>;
 
 /// The preset that a brush is taken of: its own definition, or the bundled one of that name. Throws
 /// InputError as brush::parse_preset() and brush::find_preset() do.
@@ -47,13 +57,18 @@ brush::Preset preset_of(const TakeBrush& take);
 
 void check_whole(const TakeBrush& take);
 void check_whole(const LoadPaint& load);
+void check_whole(const LayBrushAside& lay);
 void check_possible(const LoadPaint& load, const LivingPainting& painting);
 void put_in_hand(const TakeBrush& take, PaintingValue& painting);
 /// All of its preset with it: one that comes with the program may be another in a later version.
 std::optional<TakeBrush> in_hand(std::type_identity<TakeBrush>, const PaintingValue& painting);
+void put_in_hand(const LayBrushAside& lay, PaintingValue& painting);
+std::optional<LayBrushAside> in_hand(std::type_identity<LayBrushAside>, const PaintingValue& painting);
 void apply(const TakeBrush& take, LivingPainting& painting);
 void apply(const LoadPaint& load, LivingPainting& painting);
 void apply(const CleanBrush& clean, LivingPainting& painting);
+void apply(const LayBrushAside& lay, LivingPainting& painting);
+void apply(const SwapBrushes& swap, LivingPainting& painting);
 
 template <>
 struct Table<TakeBrush> {
@@ -121,6 +136,34 @@ struct Table<CleanBrush> {
         visit(Number<At<&CleanBrush::share>>{"share", "share that is wiped off the brush", "", 0.0, 1.0,
                                              Presence::Optional, "of what every bristle holds"});
     }
+};
+
+template <>
+struct Table<LayBrushAside> {
+    static constexpr ActionTraits kTraits{
+        .key = "lay_brush_aside",
+        .since = 11,
+        .meaning = "a clean brush lies aside; what the one held that lay there is counted as wiped off",
+        .undo = UndoRole::NoStep,
+        .step = "",
+        .changes_painting = false,
+        .stroke = StrokeRole::GoesOn,
+        .in_set_up = true};
+    static constexpr void fields(auto&& visit) { visit(Part<At<&LayBrushAside::brush>>{}); }
+};
+
+template <>
+struct Table<SwapBrushes> {
+    static constexpr ActionTraits kTraits{
+        .key = "swap_brushes",
+        .since = 11,
+        .meaning = "the brush in hand and the one that lies aside change places, with what they hold",
+        .undo = UndoRole::NoStep,
+        .step = "",
+        .changes_painting = false,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&&) {}
 };
 
 }  // namespace pastoso::document

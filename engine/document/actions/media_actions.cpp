@@ -43,8 +43,9 @@ SetDrying in_hand(std::type_identity<SetDrying>, const PaintingValue& painting) 
 void apply(const UseMedium& use, LivingPainting& painting) {
     PaintingValue& value = painting.value;
     const film::Medium next = medium_of(use);
-    const bool brush_holds_paint = value.brush && value.brush->brush.holds_paint();
-    const bool begins_anew = !film::has_wet_paint(value.film) && !brush_holds_paint && !value.well;
+    const auto holds_paint = [](const auto& brush) { return brush && brush->brush.holds_paint(); };
+    const bool brushes_hold_paint = holds_paint(value.brush) || holds_paint(value.brush_aside);
+    const bool begins_anew = !film::has_wet_paint(value.film) && !brushes_hold_paint && !value.well;
     if (next != painting.medium && begins_anew) value.film.consistencies = {};
     painting.medium = next;
     put_in_hand(use, value);
