@@ -2,77 +2,15 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "files/icc_workshop.hpp"
 #include "pigment/colour.hpp"
 
-#include <lcms2.h>
-#include <memory>
-#include <type_traits>
+#include <algorithm>
 
 namespace pastoso::files {
 namespace {
 
 using pigment::WorkingSpace;
-
-constexpr std::size_t kMaxProfileBytes = std::size_t{1} << 26;
-
-struct Closer {
-    void operator()(void* profile) const { cmsCloseProfile(profile); }
-};
-using Profile = std::unique_ptr<void, Closer>;
-
-struct TransformDeleter {
-    void operator()(void* transform) const { cmsDeleteTransform(transform); }
-};
-using Transform = std::unique_ptr<void, TransformDeleter>;
-
-struct CurveDeleter {
-    void operator()(cmsToneCurve* curve) const { cmsFreeToneCurve(curve); }
-};
-using Curve = std::unique_ptr<cmsToneCurve, CurveDeleter>;
-
-/// LittleCMS as one piece of work uses it, with what it complained about.
-class Workshop {
-  public:
-    Workshop() : context_(cmsCreateContext(nullptr, &complaint_)) {
-        PASTOSO_CHECK(context_ != nullptr);
-        cmsSetLogErrorHandlerTHR(context_, [](cmsContext context, cmsUInt32Number, const char* text) {
-            *static_cast<std::string*>(cmsGetContextUserData(context)) = text;
-        });
-    }
-    ~Workshop() { cmsDeleteContext(context_); }
-    Workshop(const Workshop&) = delete;
-    Workshop& operator=(const Workshop&) = delete;
-
-    cmsContext context() const { return context_; }
-    std::string complaint() const { return complaint_.empty() ? "it is damaged" : complaint_; }
-
-  private:
-    std::string complaint_;
-    cmsContext context_;
-};
-
-Profile open_profile(const Workshop& workshop, const IccProfile& bytes) {
-    return Profile(cmsOpenProfileFromMemTHR(workshop.context(), bytes.data(),
-                                            static_cast<cmsUInt32Number>(bytes.size())));
-}
-
-Curve srgb_curve(const Workshop& workshop) {
-    // ICC.1, parametric curve of type 3: ((a x + b)^g from d on, c x below.
-    const cmsFloat64Number parameters[] = {2.4, 1.0 / 1.055, 0.055 / 1.055, 1.0 / 12.92, 0.04045};
-    return Curve(cmsBuildParametricToneCurve(workshop.context(), 4, parameters));
-}
-
-Curve linear_curve(const Workshop& workshop) {
-    return Curve(cmsBuildGamma(workshop.context(), 1.0));
-}
-
-Profile rgb_profile(const Workshop& workshop, const Chromaticities& xy, const Curve& curve) {
-    const cmsCIExyY white = {xy[6], xy[7], 1.0};
-    const cmsCIExyYTRIPLE primaries = {{xy[0], xy[1], 1.0}, {xy[2], xy[3], 1.0}, {xy[4], xy[5], 1.0}};
-    cmsToneCurve* const curves[] = {curve.get(), curve.get(), curve.get()};
-    return Profile(cmsCreateRGBProfileTHR(workshop.context(), &white, &primaries, curves));
-}
 
 Profile working_profile(const Workshop& workshop, WorkingSpace space) {
     return rgb_profile(workshop, chromaticities_of(space), linear_curve(workshop));
@@ -100,26 +38,11 @@ void set_creation_date(IccProfile& bytes) {
     std::copy(std::begin(date), std::end(date), bytes.begin() + kDate);
 }
 
-/// "CMYK" of the signature 'CMYK'.
-std::string text_of(cmsColorSpaceSignature signature) {
-    std::string text;
-    for (int shift = 24; shift >= 0; shift -= 8)
-        text += static_cast<char>(static_cast<unsigned>(signature) >> shift & 0xFFU);
-    return text.substr(0, text.find_last_not_of(' ') + 1);
-}
-
-cmsUInt32Number intent_of(const Profile& profile) {
-    return cmsIsCLUT(profile.get(), INTENT_PERCEPTUAL, LCMS_USED_AS_OUTPUT)
-               ? INTENT_PERCEPTUAL
-               : INTENT_RELATIVE_COLORIMETRIC;
-}
-
 /// From linear light of a working space to the profile; null when the profile does not allow it.
 Transform to_profile(const Workshop& workshop, WorkingSpace space, const Profile& profile) {
     const Profile source = working_profile(workshop, space);
-    return Transform(cmsCreateTransformTHR(workshop.context(), source.get(), TYPE_RGB_FLT, profile.get(),
-                                           TYPE_RGB_FLT, intent_of(profile),
-                                           cmsFLAGS_BLACKPOINTCOMPENSATION | cmsFLAGS_NOCACHE));
+    return float_transform(workshop, source, profile, intent_of(profile),
+                           cmsFLAGS_BLACKPOINTCOMPENSATION);
 }
 
 /// The profile that the values in a file are in. `grey` is set where it describes one channel alone.
@@ -176,12 +99,9 @@ IccProfile linear_icc_profile(WorkingSpace space) {
 }
 
 IccProfile read_icc_profile(const std::filesystem::path& path) {
-    IccProfile bytes = core::read_text_file(path, kMaxProfileBytes);
     const Workshop workshop;
-    const Profile profile = open_profile(workshop, bytes);
-    if (profile == nullptr) {
-        throw core::InputError(path.string() + ": is no ICC profile (" + workshop.complaint() + ").");
-    }
+    IccProfile bytes;
+    const Profile profile = read_profile(workshop, path, bytes);
     if (cmsGetColorSpace(profile.get()) != cmsSigRgbData) {
         throw core::InputError(path.string() + ": is an ICC profile for " +
                                text_of(cmsGetColorSpace(profile.get())) +
