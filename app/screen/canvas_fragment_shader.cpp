@@ -258,7 +258,7 @@ void main() {
     float share = covered / float(samples_per_side * samples_per_side);
     vec3 mean = sum / max(covered, 1.0);
     vec3 canvas = on_screen(mean);
-    screen_colour = vec4(mix(around, canvas, share), 1.0);
+    screen_colour = vec4(mix(around, canvas, share), share);
 }
 )";
 

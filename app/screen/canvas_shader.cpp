@@ -19,7 +19,7 @@ out vec4 colour;
 void main() {
     vec2 px = origin_px + per_px * gl_FragCoord.xy;
     bool inside = all(greaterThanEqual(px, vec2(0.0))) && all(lessThanEqual(px, size_px));
-    colour = inside ? texture(picture, px / size_px) : vec4(ground, 1.0);
+    colour = inside ? texture(picture, px / size_px) : vec4(ground, 0.0);
 }
 )";
 

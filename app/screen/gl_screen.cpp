@@ -64,6 +64,8 @@ GlScreen::GlScreen(ScreenHost& host, QWidget& parent)
     });
     connect(this, &GraphicsWidget::failed, this,
             [this](const QString& sentence) { host_.screen_failed(sentence); });
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
+            [this] { update(); });
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] { host_.frame_shown(); });
 }
 
@@ -148,28 +150,30 @@ void GlScreen::draw_frame() {
     if (from && shown_ != nullptr) move_picture(*from, window);
     upload_changes();
     // Another canvas takes the place of what was shown when all of it is there.
-    if (shown_ == nullptr) return picture_.copy_to(defaultFramebufferObject());
+    if (shown_ == nullptr) return finish_picture();
     double spent_s = 0.0;
     if (plan_.has_damage()) spent_s = shade_job(plan_.take_damage(window, view.zoom));
     if (plan_.can_refine() && spent_s < kBusy_s) shade_job(plan_.take_refinement(view.zoom));
     if (plan_.can_refine()) update();
     if (plan_.has_drafts() && !cooling_.isActive()) cooling_.start();
-    picture_.copy_to(defaultFramebufferObject());
+    finish_picture();
     host_.draw_over(*shown_, overlay_);
+}
+
+void GlScreen::finish_picture() {
+    picture_.finish(appearance::screen_colours().cube(), defaultFramebufferObject());
 }
 
 /// What is there is moved along, where shading all of it anew would hold up the hand.
 void GlScreen::move_picture(const ViewTransform& from, const QRect& window) {
     const ViewTransform& view = host_.view_transform();
     if (view == from) return;
-    const glm::dvec2 by_px = view.origin_px - from.origin_px;
-    const bool pans = view.zoom == from.zoom && view.angle_deg == from.angle_deg &&
-                      view.mirrored == from.mirrored && by_px == glm::round(by_px);
+    const std::optional<glm::ivec2> pans = whole_pixels_between(from, view);
     if (!pans && (plan_.has_damage() || plan_.is_quick(window, view.zoom)))
         return plan_.add_damage(window);
     picture_.move(from, view, ground_colour());
     if (pans)
-        plan_.shift({static_cast<int>(by_px.x), static_cast<int>(by_px.y)}, window);
+        plan_.shift({pans->x, pans->y}, window);
     else
         plan_.keep_as_draft(moved_window(from, view, window), window);
 }

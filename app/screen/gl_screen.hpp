@@ -40,6 +40,7 @@ class GlScreen : public graphics::GraphicsWidget, public CanvasScreen {
 
   private:
     void draw_frame();
+    void finish_picture();
     QSize window_px() const;
     void move_picture(const ViewTransform& from, const QRect& window);
     void ask_presenter();

@@ -22,6 +22,12 @@ constexpr int kOutlineUnit = 3;
 constexpr int kDryUnit = 4;
 constexpr int kCoarsePixel = 2;
 
+/// To be shaded into.
+std::unique_ptr<QOpenGLFramebufferObject> new_picture(QSize size) {
+    return std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::NoAttachment,
+                                                      GL_TEXTURE_2D, GL_RGBA16);
+}
+
 QRect whole(QSize size) {
     return {QPoint(0, 0), size};
 }
@@ -48,6 +54,7 @@ void set_scissor(QOpenGLExtraFunctions& gl, const QRect& part) {
 void PictureBuffer::initialise(QOpenGLExtraFunctions* gl) {
     gl_ = gl;
     prepare(Look::Lit);
+    finish_.initialise(gl);
     gl_->glGenVertexArrays(1, &vertex_array_);
 }
 
@@ -71,6 +78,7 @@ void PictureBuffer::release() {
     picture_.reset();
     spare_.reset();
     coarse_.reset();
+    finish_.release();
     size_ = {};
     if (gl_ != nullptr) gl_->glDeleteVertexArrays(1, &vertex_array_);
     vertex_array_ = 0;
@@ -79,18 +87,18 @@ void PictureBuffer::release() {
 void PictureBuffer::resize(QSize window_px, const Rgb& ground) {
     if (picture_ != nullptr && window_px == size_) return;
     size_ = window_px;
-    picture_ = std::make_unique<QOpenGLFramebufferObject>(size_);
-    coarse_ = std::make_unique<QOpenGLFramebufferObject>(coarse_size(size_));
+    picture_ = new_picture(size_);
+    coarse_ = new_picture(coarse_size(size_));
     spare_.reset();
     picture_->bind();
-    gl_->glClearColor(ground[0], ground[1], ground[2], 1.0F);
+    gl_->glClearColor(ground[0], ground[1], ground[2], 0.0F);
     gl_->glClear(GL_COLOR_BUFFER_BIT);
 }
 
 void PictureBuffer::move(const ViewTransform& from, const ViewTransform& to, const Rgb& ground) {
     if (move_program_ == nullptr)
         move_program_ = graphics::shader_program(kCanvasVertexShader, kMovedFragmentShader);
-    if (spare_ == nullptr) spare_ = std::make_unique<QOpenGLFramebufferObject>(size_);
+    if (spare_ == nullptr) spare_ = new_picture(size_);
     const glm::dvec2 origin = moved_px(to, from, {0.0, 0.0});
     const glm::dmat2 per_px{moved_px(to, from, {1.0, 0.0}) - origin,
                             moved_px(to, from, {0.0, 1.0}) - origin};
@@ -100,8 +108,10 @@ void PictureBuffer::move(const ViewTransform& from, const ViewTransform& to, con
     gl_->glDisable(GL_DEPTH_TEST);
     gl_->glActiveTexture(GL_TEXTURE0);
     gl_->glBindTexture(GL_TEXTURE_2D, picture_->texture());
-    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    // Between pixels that come to lie on pixels nothing must be mixed, however little.
+    const GLint filter = whole_pixels_between(from, to) ? GL_NEAREST : GL_LINEAR;
+    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     move_program_->bind();
     move_program_->setUniformValue("picture", 0);
     move_program_->setUniformValue("size_px", vector({size_.width(), size_.height()}));
@@ -178,13 +188,8 @@ void PictureBuffer::enlarge_coarse(const QRect& coarse, const QRect& part) {
     gl_->glDisable(GL_SCISSOR_TEST);
 }
 
-void PictureBuffer::copy_to(GLuint framebuffer) {
-    gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_->handle());
-    gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    // The buffer's first row is the window's top, OpenGL's is the bottom.
-    gl_->glBlitFramebuffer(0, 0, size_.width(), size_.height(), 0, size_.height(), size_.width(), 0,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    gl_->glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+void PictureBuffer::finish(const appearance::ScreenCube& cube, GLuint framebuffer) {
+    finish_.draw(picture_->texture(), size_, cube, framebuffer);
 }
 
 }  // namespace pastoso::screen

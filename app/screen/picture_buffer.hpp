@@ -1,6 +1,7 @@
 // The shaded window as it was last drawn, kept on the graphics card: only what changed is shaded again.
 #pragma once
 
+#include "screen/picture_finish.hpp"
 #include "screen/quality.hpp"
 #include "screen/scene.hpp"
 #include "screen/shading_uniforms.hpp"
@@ -39,8 +40,9 @@ class PictureBuffer {
     /// Shades a part of the window and returns the seconds it took, the card's work included.
     double shade(const QRect& part, Quality quality, const Scene& scene);
 
-    /// Copies the whole picture to the framebuffer given and leaves that bound.
-    void copy_to(GLuint framebuffer);
+    /// Draws the whole picture into the framebuffer given, in the colours and levels of the screen, and
+    /// leaves that bound.
+    void finish(const appearance::ScreenCube& cube, GLuint framebuffer);
 
   private:
     /// The program for a look, and whether that draws outlines.
@@ -54,11 +56,13 @@ class PictureBuffer {
     QOpenGLExtraFunctions* gl_ = nullptr;
     QSize size_;
     std::map<ProgramKind, std::unique_ptr<QOpenGLShaderProgram>> programs_;  ///< made when wanted
-    // Both hold the window's top row first.
+    // Both hold the window's top row first, in 16 bits: what the screen makes of them comes last and is
+    // alike for what is drawn anew and what is kept. Alpha is the share of canvas, the rest is ground.
     std::unique_ptr<QOpenGLFramebufferObject> picture_;
     std::unique_ptr<QOpenGLFramebufferObject> coarse_;
     std::unique_ptr<QOpenGLFramebufferObject> spare_;  ///< as large as the picture; made when it moves
     std::unique_ptr<QOpenGLShaderProgram> move_program_;  ///< the same
+    PictureFinish finish_;
     GLuint vertex_array_ = 0;
 };
 

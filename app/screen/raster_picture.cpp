@@ -2,6 +2,7 @@
 
 #include "pigment/colour.hpp"
 #include "screen/damaged_pixels.hpp"
+#include "screen/dither.hpp"
 #include "screen/qt_rect.hpp"
 #include "screen/quality.hpp"
 #include "screen/window_pixels.hpp"
@@ -61,15 +62,24 @@ grid::Rect Sheet::pixels_below(const QRect& window) const {
     return grid::intersection(pixels, {0, 0, lattice.width, lattice.height});
 }
 
-QImage as_image(const pigment::Image8& picture) {
-    return QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
-                  QImage::Format_RGB888)
-        .copy();
+constexpr double kMost16 = 65535.0;
+
+QRgba64 encoded(const glm::dvec3& colour) {
+    const glm::dvec3 levels = glm::floor(kMost16 * glm::clamp(colour, 0.0, 1.0) + 0.5);
+    return qRgba64(static_cast<quint16>(levels.r), static_cast<quint16>(levels.g),
+                   static_cast<quint16>(levels.b), 0xFFFF);
 }
 
-QRgb encoded(const glm::dvec3& colour) {
-    const glm::dvec3 levels = glm::floor(255.0 * glm::clamp(colour, 0.0, 1.0) + 0.5);
-    return qRgb(static_cast<int>(levels.r), static_cast<int>(levels.g), static_cast<int>(levels.b));
+pigment::EncodedRgb colour_of(const QRgba64& pixel) {
+    constexpr auto kMost = static_cast<float>(kMost16);
+    return {static_cast<float>(pixel.red()) / kMost, static_cast<float>(pixel.green()) / kMost,
+            static_cast<float>(pixel.blue()) / kMost};
+}
+
+QRgb dithered_pixel(const pigment::EncodedRgb& colour, int x, int y) {
+    const float threshold = dither_threshold(x, y);
+    return qRgb(dithered(colour[0], threshold), dithered(colour[1], threshold),
+                dithered(colour[2], threshold));
 }
 
 glm::dvec3 vec3(const Rgb& rgb) {
@@ -95,32 +105,39 @@ struct LookPixels {
                                  cell(lattice.top_cells, pixels.y0 + y, lattice.scale_y, shape.height));
     }
 
-    QRgb height_at(int x, int y) const {
+    QRgba64 height_at(int x, int y) const {
         const double step = std::floor(kHeightSteps * thickness_mm(x, y) / scale_top_mm);
         return encoded(vec3(kHeightColours[std::clamp(static_cast<int>(step), 0, kHeightSteps - 1)]));
     }
 
-    QRgb wet_at(int x, int y, float luminance) const {
+    QRgba64 wet_at(int x, int y, float luminance) const {
         const double grey = kGreyShare * pigment::encode_srgb(std::clamp(luminance, 0.0F, 1.0F));
         return encoded(glm::mix(glm::dvec3(grey), vec3(kWetTint), wet_tint(thickness_mm(x, y))));
     }
 };
 
-QRgb normal_of(const shade::SurfaceSample& sample) {
+QRgba64 normal_of(const shade::SurfaceSample& sample) {
     return encoded(0.5 + 0.5 * glm::normalize(glm::dvec3(-sample.slope_x, sample.slope_y, 1.0)));
 }
 
 /// `pixel(x, y, index)` for all pixels of a picture.
 template <class Pixel>
 QImage made_of(int width, int height, const Pixel& pixel) {
-    QImage image(width, height, QImage::Format_RGB32);
+    QImage image(width, height, QImage::Format_RGBX64);
     std::size_t index = 0;
     for (int y = 0; y < height; ++y) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        auto* line = reinterpret_cast<QRgba64*>(image.scanLine(y));
         for (int x = 0; x < width; ++x, ++index)
             line[x] = pixel(x, y, index);
     }
     return image;
+}
+
+QImage as_image(const pigment::Image16& picture) {
+    return made_of(picture.width, picture.height, [&](int, int, std::size_t i) {
+        const std::uint16_t* rgb = picture.rgb.data() + 3 * i;
+        return qRgba64(rgb[0], rgb[1], rgb[2], 0xFFFF);
+    });
 }
 
 /// Makes parts of the sheet.
@@ -153,9 +170,9 @@ class SheetPainter {
         const auto weights = pigment::luminance_weights(space_);
         switch (look_) {
             case Look::Lit:
-                return as_image(pigment::encode_srgb8(lit));
+                return as_image(pigment::encode_srgb16(lit));
             case Look::Flat:
-                return as_image(pigment::encode_srgb8(colours(surface)));
+                return as_image(pigment::encode_srgb16(colours(surface)));
             case Look::Wet:
                 return made_of(pixels.width(), pixels.height(), [&](int x, int y, std::size_t i) {
                     const float* rgb = lit.rgb.data() + 3 * i;
@@ -189,22 +206,21 @@ class SheetPainter {
     shade::Renderer renderer_;
 };
 
-/// The ground with the soft shadow of the canvas's edge, as the canvas's shader draws it.
-void paint_ground(QImage& image, const QRect& part, const RasterScene& scene) {
+/// The ground with the soft shadow of the canvas's edge, as the canvas's shader draws it; none within
+/// the canvas.
+std::optional<pigment::EncodedRgb> ground_at(const RasterScene& scene, const glm::dvec2& px) {
     constexpr double kReach_px = 9.0, kDarkest = 0.45;
     const grid::Shape& shape = scene.sight.painting->film.shape;
     const glm::dvec2 cells{shape.width, shape.height};
-    for (int y = part.top(); y <= part.bottom(); ++y) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (int x = part.left(); x <= part.right(); ++x) {
-            const glm::dvec2 cell = scene.view.cell_from_device({x + 0.5, y + 0.5});
-            const glm::dvec2 outside_px =
-                scene.view.zoom * glm::max(glm::max(-cell, cell - cells), glm::dvec2(0.0));
-            if (outside_px == glm::dvec2(0.0)) continue;
-            const double shadow = kDarkest * std::exp(-glm::length(outside_px) / kReach_px);
-            line[x] = encoded((1.0 - shadow) * vec3(scene.ground));
-        }
-    }
+    const glm::dvec2 cell = scene.view.cell_from_device(px);
+    const glm::dvec2 outside_px =
+        scene.view.zoom * glm::max(glm::max(-cell, cell - cells), glm::dvec2(0.0));
+    if (outside_px == glm::dvec2(0.0)) return std::nullopt;
+    const double shadow = kDarkest * std::exp(-glm::length(outside_px) / kReach_px);
+    pigment::EncodedRgb colour = scene.ground;
+    for (float& value : colour)
+        value *= static_cast<float>(1.0 - shadow);
+    return colour;
 }
 
 void paint_part(QImage& image, const QRect& part, const Sheet& sheet, const SheetPainter& painter,
@@ -236,8 +252,9 @@ bool same_light(const Sight& a, const Sight& b) {
 
 }  // namespace
 
-bool same_but_paint(const RasterScene& a, RasterScene b) {
+bool same_place(const RasterScene& a, RasterScene b) {
     b.sight.painting = a.sight.painting;
+    b.colours = a.colours;
     return a == b;
 }
 
@@ -252,13 +269,17 @@ void RasterPicture::show(const RasterScene& scene, Quality quality, core::Thread
     update_layers(scene, *seen, cells, pool);
     if (scale_top_mm_ != scale_before_mm) scene_.reset();
     const QRegion region = changed_pixels(scene, cells);
-    if (image_.size() != scene.window_px) image_ = QImage(scene.window_px, QImage::Format_RGB32);
+    const bool recoloured = scene_ && scene_->colours != scene.colours;
+    if (image_.size() != scene.window_px) {
+        canvas_ = QImage(scene.window_px, QImage::Format_RGBX64);
+        image_ = QImage(scene.window_px, QImage::Format_RGB32);
+    }
     const Sheet sheet(seen->film.shape, scene.view);
     const SheetPainter painter(scene, *seen, sheet, scale_top_mm_, quality, layers_, pool);
-    for (const QRect& part : region) {
-        paint_part(image_, part, sheet, painter, scene.view.upright());
-        paint_ground(image_, part, scene);
-    }
+    for (const QRect& part : region)
+        paint_part(canvas_, part, sheet, painter, scene.view.upright());
+    for (const QRect& part : recoloured ? QRegion(image_.rect()) : region)
+        finish(part, scene, pool);
     light_ = scene.sight;
     scene_.reset();
     if (quality == Quality::Full) scene_ = scene;
@@ -294,8 +315,25 @@ void RasterPicture::update_layers(const RasterScene& scene, const document::Snap
 
 QRegion RasterPicture::changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const {
     const QRect window(QPoint(0, 0), scene.window_px);
-    if (seen_ == nullptr || !scene_ || !same_but_paint(*scene_, scene)) return window;
+    if (seen_ == nullptr || !scene_ || !same_place(*scene_, scene)) return window;
     return damaged_pixels(scene.view, changed_cells) & window;
+}
+
+/// Brings the canvas into the colours and levels of the screen, as kFinishShader does it.
+void RasterPicture::finish(const QRect& part, const RasterScene& scene, core::ThreadPool& pool) {
+    uchar* const first = image_.bits();
+    pool.run(static_cast<std::size_t>(part.height()), [&](std::size_t row, int) {
+        const int y = part.top() + static_cast<int>(row);
+        const auto* canvas = reinterpret_cast<const QRgba64*>(canvas_.constScanLine(y));
+        auto* line = reinterpret_cast<QRgb*>(first + y * image_.bytesPerLine());
+        for (int x = part.left(); x <= part.right(); ++x) {
+            const auto ground = ground_at(scene, {x + 0.5, y + 0.5});
+            const pigment::EncodedRgb colour = ground.value_or(colour_of(canvas[x]));
+            const bool as_it_is = ground || scene.colours == nullptr;
+            line[x] =
+                dithered_pixel(as_it_is ? colour : pigment::shown_by(*scene.colours, colour), x, y);
+        }
+    });
 }
 
 void RasterPicture::measure_heights(const RasterScene& scene, const document::Snapshot& seen,

@@ -1,6 +1,7 @@
 // A window's picture of a canvas, made by the processor.
 #pragma once
 
+#include "appearance/screen_colours.hpp"
 #include "core/thread_pool.hpp"
 #include "screen/canvas_presenter.hpp"
 #include "screen/quality.hpp"
@@ -20,12 +21,13 @@ struct RasterScene {
     Sight sight;
     ViewTransform view;
     QSize window_px;
-    Rgb ground{};  ///< around the canvas, encoded
+    Rgb ground{};                      ///< around the canvas, encoded
+    appearance::ScreenCube colours{};  ///< that the canvas is shown through
     friend bool operator==(const RasterScene&, const RasterScene&) = default;
 };
 
-/// Whether nothing but the paint is another.
-bool same_but_paint(const RasterScene& a, RasterScene b);
+/// Whether nothing but the paint and the colours of the screen are others.
+bool same_place(const RasterScene& a, RasterScene b);
 
 /// Keeps the latest picture: only what differs from it is made again.
 class RasterPicture {
@@ -44,6 +46,7 @@ class RasterPicture {
     void update_layers(const RasterScene& scene, const document::Snapshot& seen, const QRegion& changed,
                        core::ThreadPool& pool);
     QRegion changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const;
+    void finish(const QRect& part, const RasterScene& scene, core::ThreadPool& pool);
     void measure_heights(const RasterScene& scene, const document::Snapshot& seen,
                          const std::vector<int>& changed, core::ThreadPool& pool);
 
@@ -55,6 +58,7 @@ class RasterPicture {
     shade::HeightRange range_;
     shade::CellLayers layers_;  ///< of all cells; of none on canvases that are too large for that
     double highest_mm_ = 0.0, scale_top_mm_ = 0.1;
+    QImage canvas_;  ///< in the window, in 16 bits; what the screen makes of it is in the image
     QImage image_;
 };
 

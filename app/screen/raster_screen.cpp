@@ -35,10 +35,13 @@ RasterScreen::RasterScreen(ScreenHost& host, QWidget& parent)
               }) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
+            &RasterScreen::refresh);
 }
 
 RasterScene RasterScreen::wanted_scene() const {
-    return {host_.sight(), host_.view_transform(), window_px(*this), ground_colour()};
+    return {host_.sight(), host_.view_transform(), window_px(*this), ground_colour(),
+            appearance::screen_colours().cube()};
 }
 
 /// What nobody sees is not drawn.
@@ -58,7 +61,7 @@ Quality RasterScreen::first_quality(const RasterScene& scene) const {
     constexpr double kMostSamples = 2e6;
     const double pixels = 1.0 * scene.window_px.width() * scene.window_px.height();
     const bool quick = pixels * samples_per_pixel(Quality::Full, scene.view.zoom) < kMostSamples;
-    return quick || (frame_ && same_but_paint(frame_->scene, scene)) ? Quality::Full : Quality::Plain;
+    return quick || (frame_ && same_place(frame_->scene, scene)) ? Quality::Full : Quality::Plain;
 }
 
 void RasterScreen::begin_other_canvas() {

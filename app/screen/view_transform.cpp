@@ -59,6 +59,13 @@ glm::dvec2 moved_px(const ViewTransform& from, const ViewTransform& to, const gl
     return to.device_from_cell(from.cell_from_device(px));
 }
 
+std::optional<glm::ivec2> whole_pixels_between(const ViewTransform& from, const ViewTransform& to) {
+    const glm::dvec2 by_px = to.origin_px - from.origin_px;
+    const bool pans = to.zoom == from.zoom && to.angle_deg == from.angle_deg &&
+                      to.mirrored == from.mirrored && by_px == glm::round(by_px);
+    return pans ? std::optional(glm::ivec2(by_px)) : std::nullopt;
+}
+
 ViewTransform zoomed(const ViewTransform& view, const glm::dvec2& anchor_px, double factor) {
     ViewTransform next = view;
     next.zoom = allowed_zoom(view.zoom * factor);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
@@ -37,6 +38,9 @@ struct ViewTransform {
 
 /// Where a point of the window as it is seen from one place lies as it is seen from another.
 glm::dvec2 moved_px(const ViewTransform& from, const ViewTransform& to, const glm::dvec2& px);
+
+/// How far the picture has moved from one place to the other; none when it is not by whole pixels alone.
+std::optional<glm::ivec2> whole_pixels_between(const ViewTransform& from, const ViewTransform& to);
 
 /// Multiplies the zoom (within its limits) so that the point of the canvas under `anchor_px` stays
 /// there.

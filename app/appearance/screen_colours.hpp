@@ -1,0 +1,42 @@
+// The colours of paint as the screen is to be given them. Canvas, swatches and small pictures go through
+// it where they are painted; the theme's greys, icons and lines over a canvas do not.
+#pragma once
+
+#include "pigment/colour_cube.hpp"
+
+#include <memory>
+
+#include <QColor>
+#include <QImage>
+#include <QObject>
+#include <QPixmap>
+
+namespace pastoso::appearance {
+
+using ScreenCube = std::shared_ptr<const pigment::ColourCube>;
+
+class ScreenColours : public QObject {
+    Q_OBJECT
+  public:
+    /// From the window's thread, as all calls. All widgets are painted anew.
+    void use(ScreenCube cube);
+
+    /// Null where colours are shown as they are.
+    const ScreenCube& cube() const { return cube_; }
+
+  Q_SIGNALS:
+    void changed();
+
+  private:
+    ScreenCube cube_;
+};
+
+/// Those of the program.
+ScreenColours& screen_colours();
+
+/// What is to be painted for a colour, or for a picture of at most 8 bits a channel.
+QColor shown(const QColor& colour);
+QImage shown(const QImage& picture);
+QPixmap shown(const QPixmap& picture);
+
+}  // namespace pastoso::appearance
