@@ -1,5 +1,7 @@
 #include "dialogs/canvas_size_preview.hpp"
 
+#include "appearance/screen_colours.hpp"
+
 #include <algorithm>
 
 #include <QPainter>
@@ -42,9 +44,9 @@ void CanvasSizePreview::paintEvent(QPaintEvent*) {
     const QRectF before_px = place.mapRect(before), after_px = place.mapRect(after);
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.fillRect(after_px, kBareCanvas);
-    painter.fillRect(before_px, kBareCanvas);
-    painter.drawImage(before_px, picture_);
+    painter.fillRect(after_px, appearance::shown(kBareCanvas));
+    painter.fillRect(before_px, appearance::shown(kBareCanvas));
+    painter.drawImage(before_px, appearance::shown(picture_));
     QPainterPath cut;
     cut.addRect(before_px);
     QPainterPath kept;

@@ -1,5 +1,6 @@
 #include "interactions/frame.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "core/units.hpp"
 #include "interactions/event_place.hpp"
 
@@ -87,19 +88,30 @@ QImage veil_of(QImage picture) {
 
 }  // namespace
 
+Frame::Frame(view::CanvasView& canvas) : canvas_(canvas) {
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
+            &Frame::take_screen_colours);
+}
+
 void Frame::show(std::optional<tools::TransformFrame> frame) {
     frame_ = std::move(frame);
     if (!frame_) {
         drag_.reset();
-        picture_ = veil_ = {};
+        picture_ = shown_ = veil_ = {};
     }
     canvas_.refresh();
 }
 
 void Frame::show_picture(const QImage& picture) {
     picture_ = picture;
-    veil_ = veil_of(picture);
+    take_screen_colours();
     canvas_.refresh();
+}
+
+void Frame::take_screen_colours() {
+    if (picture_.isNull()) return;
+    shown_ = appearance::shown(picture_);
+    veil_ = appearance::shown(veil_of(picture_));
 }
 
 tools::FrameHold Frame::hold_at(const glm::dvec2& place_mm) const {
@@ -181,7 +193,7 @@ void Frame::draw_picture(const view::Overlay& overlay) const {
     constexpr double kVeil = 0.75, kPaint = 0.85;
     if (picture_.isNull() || *frame_ == as_it_was(*frame_)) return;
     draw_in(overlay, as_it_was(*frame_), veil_, kVeil);
-    draw_in(overlay, *frame_, picture_, kPaint);
+    draw_in(overlay, *frame_, shown_, kPaint);
 }
 
 void Frame::draw_in(const view::Overlay& overlay, const tools::TransformFrame& frame,

@@ -14,7 +14,7 @@ namespace pastoso::interactions {
 class Frame : public QObject, public view::Interaction {
     Q_OBJECT
   public:
-    explicit Frame(view::CanvasView& canvas) : canvas_(canvas) {}
+    explicit Frame(view::CanvasView& canvas);
 
     /// Nothing: presses paint.
     void show(std::optional<tools::TransformFrame> frame);
@@ -51,6 +51,7 @@ class Frame : public QObject, public view::Interaction {
     };
 
     tools::FrameHold hold_at(const glm::dvec2& place_mm) const;
+    void take_screen_colours();
     void draw_picture(const view::Overlay& overlay) const;
     void draw_in(const view::Overlay& overlay, const tools::TransformFrame& frame, const QImage& picture,
                  double opacity) const;
@@ -59,7 +60,8 @@ class Frame : public QObject, public view::Interaction {
     std::optional<tools::TransformFrame> frame_;
     std::optional<Drag> drag_;
     tools::FrameHold under_;  ///< the pointer
-    QImage picture_, veil_;
+    QImage picture_;
+    QImage shown_, veil_;  ///< in the colours of the screen
 };
 
 }  // namespace pastoso::interactions

@@ -1,5 +1,6 @@
 #include "start/new_canvas_section.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
@@ -84,7 +85,11 @@ void NewCanvasSection::add_supports(QGridLayout* grid) {
         const int number = static_cast<int>(support_buttons_.size());
         grid->addWidget(button, number / kColumns, number % kColumns);
         button->setObjectName(QStringLiteral("support_") + QString::fromStdString(support.id));
-        button->setIcon(edged(support_pictures_.back()));
+        const auto draw = [button, picture = support_pictures_.back()] {
+            button->setIcon(edged(appearance::shown(picture)));
+        };
+        draw();
+        connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, button, draw);
         button->setIconSize(kSwatchIcon);
         group->addButton(button);
         support_buttons_.push_back(button);

@@ -1,5 +1,6 @@
 #include "view/look_legend.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "appearance/theme.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 constexpr int kMargin = 10, kGap = 8, kBarWidth = 220, kBarHeight = 12;
 
 QColor colour(const screen::Rgb& rgb) {
-    return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
+    return appearance::shown(QColor::fromRgbF(rgb[0], rgb[1], rgb[2]));
 }
 
 /// Of the marks below the bar, the first at its left end, the last at its right.

@@ -1,5 +1,6 @@
 #include "panels/canvas/navigator_map.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "appearance/theme.hpp"
 #include "panels/parts/section.hpp"
 
@@ -18,6 +19,8 @@ constexpr double kMargin_px = 6.0;
 NavigatorMap::NavigatorMap(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setCursor(Qt::PointingHandCursor);
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
+            &NavigatorMap::fit_picture);
     keep_keys_for_canvas(this);
     keep_own_keys(this,
                   {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_Plus, Qt::Key_Minus});
@@ -56,7 +59,8 @@ void NavigatorMap::show_picture(const QImage& picture) {
 void NavigatorMap::fit_picture() {
     if (picture_.isNull()) return;
     const QSize size = (canvas_place().size() * devicePixelRatioF()).toSize();
-    shown_ = QPixmap::fromImage(picture_.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    shown_ = QPixmap::fromImage(
+        appearance::shown(picture_.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)));
     shown_.setDevicePixelRatio(devicePixelRatioF());
     update();
 }

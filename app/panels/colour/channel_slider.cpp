@@ -1,5 +1,6 @@
 #include "panels/colour/channel_slider.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "panels/parts/section.hpp"
 
 #include <cmath>
@@ -57,7 +58,8 @@ void ChannelSlider::paintEvent(QPaintEvent*) {
     const QRectF bar = QRectF(rect()).adjusted(kHandleHalf, 2.5, -kHandleHalf, -2.5);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     for (qsizetype i = 0; i < ramp_.size(); ++i)
-        gradient.setColorAt(static_cast<double>(i) / static_cast<double>(ramp_.size() - 1), ramp_[i]);
+        gradient.setColorAt(static_cast<double>(i) / static_cast<double>(ramp_.size() - 1),
+                            appearance::shown(ramp_[i]));
     painter.setPen(hasFocus() ? palette().highlight().color() : QColor(0, 0, 0, 140));
     painter.setBrush(gradient);
     painter.drawRoundedRect(bar, 3.0, 3.0);

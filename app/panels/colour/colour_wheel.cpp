@@ -1,5 +1,6 @@
 #include "panels/colour/colour_wheel.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "core/units.hpp"
 #include "panels/colour/wheel_picture.hpp"
 #include "panels/parts/section.hpp"
@@ -29,7 +30,7 @@ double turn_deg(double angle_deg) {
 
 /// A ring that is seen on any colour.
 void paint_mark(QPainter& painter, const QPointF& place, const QColor& colour) {
-    painter.setBrush(colour);
+    painter.setBrush(appearance::shown(colour));
     painter.setPen(QPen(QColor(20, 20, 22), 3.0));
     painter.drawEllipse(place, kMarkRadius, kMarkRadius);
     painter.setPen(QPen(QColor(240, 240, 240), 1.5));
@@ -44,6 +45,8 @@ QColor qcolor(const tools::Channels& oklch) {
 }  // namespace
 
 ColourWheel::ColourWheel(QWidget* parent) : QWidget(parent) {
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
+            [this] { ring_ = field_ = {}; });
     setObjectName(QStringLiteral("colour_wheel"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Colour wheel"));
@@ -184,11 +187,11 @@ void ColourWheel::keyPressEvent(QKeyEvent* event) {
 void ColourWheel::draw_pictures() {
     const Measures all = measures();
     if (ring_.width() != all.side || ring_.devicePixelRatio() != all.ratio) {
-        ring_ = hue_ring(all.side, all.inner, all.outer);
+        ring_ = appearance::shown(hue_ring(all.side, all.inner, all.outer));
         ring_.setDevicePixelRatio(all.ratio);
     }
     if (field_.width() == all.field_side && field_hue_deg_ == oklch_[2]) return;
-    field_ = colour_field(all.field_side, oklch_[2]);
+    field_ = appearance::shown(colour_field(all.field_side, oklch_[2]));
     field_.setDevicePixelRatio(all.ratio);
     field_hue_deg_ = oklch_[2];
 }

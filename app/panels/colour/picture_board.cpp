@@ -1,5 +1,6 @@
 #include "panels/colour/picture_board.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "appearance/theme.hpp"
 #include "panels/parts/section.hpp"
 
@@ -21,6 +22,8 @@ constexpr double kMostZoom = 32.0;
 
 PictureBoard::PictureBoard(QWidget* parent) : QWidget(parent) {
     setCursor(Qt::CrossCursor);
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
+            [this] { shown_ = appearance::shown(picture_); });
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     keep_keys_for_canvas(this);
     keep_own_keys(this, {Qt::Key_Plus, Qt::Key_Minus, Qt::Key_0, Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,
@@ -29,6 +32,7 @@ PictureBoard::PictureBoard(QWidget* parent) : QWidget(parent) {
 
 void PictureBoard::show_picture(const QImage& picture) {
     picture_ = picture;
+    shown_ = appearance::shown(picture_);
     fit();
 }
 
@@ -83,7 +87,7 @@ void PictureBoard::paintEvent(QPaintEvent*) {
                          tr("No picture to trace"));
     } else {
         painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom_ < 4.0);
-        painter.drawImage(QRectF(corner_, zoom_ * QSizeF(picture_.size())), picture_);
+        painter.drawImage(QRectF(corner_, zoom_ * QSizeF(picture_.size())), shown_);
     }
     if (!hasFocus()) return;
     painter.setPen(appearance::colours().focus);

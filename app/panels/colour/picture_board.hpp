@@ -43,6 +43,7 @@ class PictureBoard : public QWidget {
     void move_by(const QPointF& distance);
 
     QImage picture_;
+    QImage shown_;       ///< the same in the colours of the screen
     double zoom_ = 1.0;  ///< widget units of a pixel
     QPointF corner_;     ///< of the picture, on the widget
     bool fitted_ = true;

@@ -1,6 +1,7 @@
 #include "panels/layers/layer_delegate.hpp"
 
 #include "appearance/icon.hpp"
+#include "appearance/screen_colours.hpp"
 #include "appearance/shown_names.hpp"
 #include "appearance/theme.hpp"
 
@@ -48,7 +49,7 @@ void paint_picture(QPainter* painter, const QRect& box, const QImage& picture) {
     QRect place(QPoint(), picture.deviceIndependentSize().toSize());
     place.moveCenter(box.center());
     paint_bare(painter, place);
-    painter->drawImage(place, picture);
+    painter->drawImage(place, appearance::shown(picture));
 }
 
 /// What the second line of a row says; often nothing.

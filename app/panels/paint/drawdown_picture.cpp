@@ -1,5 +1,6 @@
 #include "panels/paint/drawdown_picture.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "panels/paint/swatch_colours.hpp"
 
 #include <QPainter>
@@ -16,7 +17,7 @@ void draw_drawdown(QPainter& painter, const QRectF& place, const tools::Drawdown
         const double left = place.left() + place.width() * step / kSteps;
         const double right = place.left() + place.width() * (step + 1) / kSteps;
         const auto fill = [&](double top, const pigment::Srgb8& colour) {
-            painter.fillRect(QRectF(left, top, right - left, half), qcolor(colour));
+            painter.fillRect(QRectF(left, top, right - left, half), appearance::shown(qcolor(colour)));
         };
         fill(place.top(), drawdown.over_white[static_cast<std::size_t>(step)]);
         fill(place.top() + half, drawdown.over_black[static_cast<std::size_t>(step)]);

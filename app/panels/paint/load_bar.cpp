@@ -1,5 +1,6 @@
 #include "panels/paint/load_bar.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "panels/paint/swatch_colours.hpp"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ void LoadBar::paintEvent(QPaintEvent*) {
         const int left = width() * i / kCount, right = width() * (i + 1) / kCount;
         const int filled = static_cast<int>(height() * std::min(stripe.fill / kFullest, 1.0) + 0.5);
         painter.fillRect(left, height() - filled, right - left, filled,
-                         shown_colour(stripe.paint, view_));
+                         appearance::shown(shown_colour(stripe.paint, view_)));
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipping(false);

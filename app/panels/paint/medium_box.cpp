@@ -1,5 +1,6 @@
 #include "panels/paint/medium_box.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "appearance/shown_names.hpp"
 #include "film/media_families.hpp"
 #include "panels/parts/section.hpp"
@@ -51,7 +52,7 @@ class MediumDelegate : public QStyledItemDelegate {
         if (chosen) painter->fillRect(option.rect, option.palette.highlight());
         QRect swatch(QPoint(row.left(), 0), kMediumSwatch);
         swatch.moveTop(row.center().y() - swatch.height() / 2);
-        painter->drawImage(swatch, index.data(kSwatchRole).value<QImage>());
+        painter->drawImage(swatch, appearance::shown(index.data(kSwatchRole).value<QImage>()));
         const QRect text = row.adjusted(kMediumSwatch.width() + kGap, 2, 0, -2);
         pen(QPalette::Text, QPalette::Active);
         painter->drawText(text, Qt::AlignTop | Qt::AlignLeft, index.data().toString());

@@ -1,5 +1,6 @@
 #include "panels/paint/paint_panel.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "appearance/theme.hpp"
 #include "panels/paint/drawdown_picture.hpp"
 #include "panels/paint/paint_words.hpp"
@@ -45,8 +46,9 @@ QIcon PaintPanel::icon_of(const Colours& colours, double pixel_ratio) {
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
         painter.setRenderHint(QPainter::Antialiasing);
-        draw_swatch(painter, {0.5, 0.5, kSwatch_px - 1.0, kIcon.height() - 1.0}, qcolor(colours.paint),
-                    qcolor(colours.tint), colours.drawdown);
+        draw_swatch(painter, {0.5, 0.5, kSwatch_px - 1.0, kIcon.height() - 1.0},
+                    appearance::shown(qcolor(colours.paint)), appearance::shown(qcolor(colours.tint)),
+                    colours.drawdown);
         const QPointF corner(kSwatch_px + 3.5, 0.5 * (kIcon.height() - kMark_px) + 0.5);
         draw_hiding_mark(painter, {corner, QSizeF(kMark_px, kMark_px)}, colours.drawdown.hiding, ink);
         return pixmap;
@@ -87,6 +89,15 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     connect(list_, &QListWidget::itemClicked, this, choose);
     connect(list_, &QListWidget::itemActivated, this, choose);
     section(this, tr("Paint"))->addWidget(list_);
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
+            &PaintPanel::draw_icons);
+}
+
+void PaintPanel::draw_icons() {
+    for (int row = 0; row < list_->count(); ++row) {
+        const Colours& shown = shown_[static_cast<std::size_t>(row)];
+        if (shown.ink.isValid()) list_->item(row)->setIcon(icon_of(shown, devicePixelRatioF()));
+    }
 }
 
 /// The marks take the ink of another theme.

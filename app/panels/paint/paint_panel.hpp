@@ -47,6 +47,7 @@ class PaintPanel : public QWidget {
         friend bool operator==(const Colours&, const Colours&) = default;
     };
     static QString words_of(const QListWidgetItem& item, const Colours& colours, double film_mm);
+    void draw_icons();
     static QIcon icon_of(const Colours& colours, double pixel_ratio);
 
     tools::SwatchView view_;

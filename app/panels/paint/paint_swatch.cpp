@@ -1,5 +1,6 @@
 #include "panels/paint/paint_swatch.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "panels/paint/drawdown_picture.hpp"
 #include "panels/parts/section.hpp"
 
@@ -50,7 +51,7 @@ void PaintSwatch::paintEvent(QPaintEvent*) {
     const QRectF frame = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
     QPainterPath outline;
     outline.addRoundedRect(frame, 3.0, 3.0);
-    painter.fillPath(outline, colour_);
+    painter.fillPath(outline, appearance::shown(colour_));
     if (drawdown_) {
         constexpr double kMark_px = 8.0, kMargin_px = 5.0;
         painter.setClipPath(outline);

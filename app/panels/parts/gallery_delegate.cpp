@@ -1,5 +1,7 @@
 #include "panels/parts/gallery_delegate.hpp"
 
+#include "appearance/screen_colours.hpp"
+
 #include <QFontMetrics>
 #include <QGuiApplication>
 #include <QPainter>
@@ -108,7 +110,7 @@ void GalleryDelegate::paint_picture(QPainter& painter, const QStyleOptionViewIte
     const QSizeF size = picture.deviceIndependentSize();
     if (index.data(kFaint).toBool()) painter.setOpacity(0.4);
     const QPointF corner = room.center() - QPointF(0.5 * size.width(), 0.5 * size.height());
-    painter.drawPixmap(corner.toPoint(), picture);
+    painter.drawPixmap(corner.toPoint(), appearance::shown(picture));
     painter.setOpacity(1.0);
 }
 

@@ -1,5 +1,6 @@
 #include "panels/pen/brush_list.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "appearance/shown_names.hpp"
 
 #include <QPixmap>
@@ -7,7 +8,7 @@
 namespace pastoso::panels {
 namespace {
 
-constexpr int kEntryRole = Qt::UserRole, kNameRole = kEntryRole + 1;
+constexpr int kEntryRole = Qt::UserRole, kNameRole = kEntryRole + 1, kThumbnailRole = kEntryRole + 2;
 constexpr int kNoEntry = -1;
 
 int entry_of(const QListWidgetItem* item) {
@@ -26,6 +27,10 @@ BrushList::BrushList(QWidget* parent) : QListWidget(parent) {
     };
     connect(this, &QListWidget::itemClicked, this, take);
     connect(this, &QListWidget::itemActivated, this, take);
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this, [this] {
+        for (QListWidgetItem* item : items_)
+            draw_thumbnail(*item);
+    });
 }
 
 void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
@@ -79,8 +84,15 @@ int BrushList::current_entry() const {
 
 void BrushList::set_thumbnail(const QString& name, const QImage& image) {
     for (QListWidgetItem* item : items_) {
-        if (item->data(kNameRole) == name) item->setIcon(QIcon(QPixmap::fromImage(image)));
+        if (item->data(kNameRole) != name) continue;
+        item->setData(kThumbnailRole, image);
+        draw_thumbnail(*item);
     }
+}
+
+void BrushList::draw_thumbnail(QListWidgetItem& item) {
+    const auto image = item.data(kThumbnailRole).value<QImage>();
+    if (!image.isNull()) item.setIcon(QIcon(QPixmap::fromImage(appearance::shown(image))));
 }
 
 void BrushList::showEvent(QShowEvent* event) {

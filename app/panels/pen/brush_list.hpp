@@ -48,6 +48,7 @@ class BrushList : public QListWidget {
   private:
     void add_heading(const QString& family);
     void add_entry(const BrushEntry& entry);
+    void draw_thumbnail(QListWidgetItem& item);
     void scroll_to_current();
     void ask_for_thumbnails();
 

@@ -1,5 +1,7 @@
 #include "panels/popup/round_button.hpp"
 
+#include "appearance/screen_colours.hpp"
+
 #include <cmath>
 
 #include <QKeyEvent>
@@ -69,13 +71,13 @@ void RoundButton::paintEvent(QPaintEvent*) {
 
 void RoundButton::paint_face(QPainter& painter, const QRectF& disc) {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(colour_.isValid() ? colour_ : palette().color(QPalette::Button));
+    painter.setBrush(colour_.isValid() ? appearance::shown(colour_) : palette().color(QPalette::Button));
     painter.drawEllipse(disc);
     QPainterPath clip;
     clip.addEllipse(disc);
     if (!picture_.isNull()) {
         painter.setClipPath(clip);
-        painter.drawImage(disc, picture_);
+        painter.drawImage(disc, appearance::shown(picture_));
         painter.setClipping(false);
     } else if (!icon().isNull()) {
         const int side = static_cast<int>(0.5 * disc.width());
