@@ -1,13 +1,17 @@
 #include "graphics/opengl_support.hpp"
 
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QScreen>
 #include <QString>
 #include <QSurfaceFormat>
 
 namespace pastoso::graphics {
 namespace {
+
+constexpr int kDeepBits = 10;
 
 std::string text(QOpenGLFunctions& gl, GLenum what) {
     const auto* words = reinterpret_cast<const char*>(gl.glGetString(what));
@@ -54,6 +58,23 @@ void ask_for_opengl() {
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setOption(QSurfaceFormat::ResetNotification);
     QSurfaceFormat::setDefaultFormat(format);
+}
+
+void ask_for_deep_colour() {
+    const bool x11 = QGuiApplication::platformName() == QLatin1String("xcb");
+    if (x11 && QGuiApplication::primaryScreen()->depth() < 30) return;
+    QSurfaceFormat format = QSurfaceFormat::defaultFormat();
+    format.setRedBufferSize(kDeepBits);
+    format.setGreenBufferSize(kDeepBits);
+    format.setBlueBufferSize(kDeepBits);
+    QOpenGLContext context;
+    context.setFormat(format);
+    if (context.create() && context.format().redBufferSize() >= kDeepBits)
+        QSurfaceFormat::setDefaultFormat(format);
+}
+
+bool deep_colour() {
+    return QSurfaceFormat::defaultFormat().redBufferSize() >= kDeepBits;
 }
 
 const OpenGlSupport& opengl_support() {

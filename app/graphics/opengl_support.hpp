@@ -9,6 +9,14 @@ namespace pastoso::graphics {
 /// application.
 void ask_for_opengl();
 
+/// Windows from now on have 10 bits a colour where the display has them, which on X11 is a screen of
+/// depth
+/// 30. With a QApplication, before the first window.
+void ask_for_deep_colour();
+
+/// Whether they have.
+bool deep_colour();
+
 struct OpenGlSupport {
     std::string problem;  ///< why it cannot be used, as one sentence; empty when it can
     std::string renderer, vendor, version, shading_language;

@@ -112,6 +112,7 @@ int start(int argc, char** argv) {
     pastoso::main::expect_display();
     pastoso::main::Application application(argc, argv);
     pastoso::main::display_found();
+    pastoso::graphics::ask_for_deep_colour();
     QApplication::setApplicationName(QStringLiteral("pastoso"));
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
     QApplication::setApplicationVersion(QStringLiteral(PASTOSO_VERSION));
