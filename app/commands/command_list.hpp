@@ -103,6 +103,8 @@ enum class Command {
     LookHeight,
     LookNormals,
     LookFlat,
+    SoftProof,
+    GamutWarning,
     ToolPanel,
     ColourPanel,
     PhysicsPanel,

@@ -112,6 +112,8 @@ constexpr Name kNames[] = {
     {Command::LookHeight, "look_height"},
     {Command::LookNormals, "look_normals"},
     {Command::LookFlat, "look_flat"},
+    {Command::SoftProof, "soft_proof"},
+    {Command::GamutWarning, "gamut_warning"},
     {Command::ToolPanel, "tool_panel"},
     {Command::ColourPanel, "colour_panel"},
     {Command::PhysicsPanel, "physics_panel"},

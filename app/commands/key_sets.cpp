@@ -43,6 +43,8 @@ constexpr OtherKeys kPhotoshop[] = {
     {Command::TurnUpright, ""},
     {Command::TurnRight, ""},
     {Command::MirrorView, ""},
+    {Command::SoftProof, "Ctrl+Y"},
+    {Command::GamutWarning, "Ctrl+Shift+Y"},
     {Command::ColourPanel, "F6"},
     {Command::LayersPanel, "F7"},
     {Command::GuidesPanel, "F8"},

@@ -7,8 +7,11 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFileDialog>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -37,7 +40,8 @@ QFormLayout* form_on(QWidget* page) {
 }  // namespace
 
 SettingsDialog::SettingsDialog(tools::Preferences preferences, int undo_memory_MiB,
-                               const std::vector<Fact>& machine, QWidget* parent)
+                               const QString& system_profile, const std::vector<Fact>& machine,
+                               QWidget* parent)
     : QDialog(parent), preferences_(std::move(preferences)) {
     setWindowTitle(tr("Settings"));
     setObjectName(QStringLiteral("settings_dialog"));
@@ -45,6 +49,7 @@ SettingsDialog::SettingsDialog(tools::Preferences preferences, int undo_memory_M
     pages_->setObjectName(QStringLiteral("pages"));
     pages_->setDocumentMode(true);
     pages_->addTab(make_appearance(), tr("Appearance"));
+    pages_->addTab(make_colour(system_profile), tr("Colour"));
     pages_->addTab(make_keeping(undo_memory_MiB), tr("Keeping"));
     pages_->addTab(make_performance(), tr("Performance"));
     pages_->addTab(make_machine(machine), tr("This machine"));
@@ -62,9 +67,9 @@ void SettingsDialog::show_page(Page page) {
     pages_->setCurrentIndex(static_cast<int>(page));
 }
 
-void SettingsDialog::add_choice(QFormLayout* form, const QString& words, const QString& name,
-                                const std::vector<std::pair<QString, std::string>>& choices,
-                                std::string tools::Preferences::*preference) {
+QComboBox* SettingsDialog::add_choice(QFormLayout* form, const QString& words, const QString& name,
+                                      const std::vector<std::pair<QString, std::string>>& choices,
+                                      std::string tools::Preferences::*preference) {
     auto* box = new QComboBox;
     box->setObjectName(name);
     for (const auto& [shown, value] : choices)
@@ -75,6 +80,35 @@ void SettingsDialog::add_choice(QFormLayout* form, const QString& words, const Q
         Q_EMIT changed(preferences_);
     });
     form->addRow(words, box);
+    return box;
+}
+
+/// The path of an ICC profile, typed or chosen; empty: none.
+QWidget* SettingsDialog::add_profile(QFormLayout* form, const QString& words, const QString& name,
+                                     std::string tools::Preferences::*preference) {
+    auto* row = new QWidget;
+    auto* path = new QLineEdit(QString::fromStdString(preferences_.*preference));
+    path->setObjectName(name);
+    path->setAccessibleName(words);
+    path->setClearButtonEnabled(true);
+    path->setPlaceholderText(tr("None"));
+    auto* choose = new QPushButton(tr("Choose..."));
+    auto* parts = new QHBoxLayout(row);
+    parts->setContentsMargins(0, 0, 0, 0);
+    parts->addWidget(path, 1);
+    parts->addWidget(choose);
+    connect(path, &QLineEdit::textChanged, this,
+            [this, preference](const QString& text) { preferences_.*preference = text.toStdString(); });
+    connect(path, &QLineEdit::editingFinished, this, [this] { Q_EMIT changed(preferences_); });
+    connect(choose, &QPushButton::clicked, this, [this, path, words] {
+        const QString chosen = QFileDialog::getOpenFileName(
+            this, words, path->text(), tr("ICC profiles (*.icc *.icm);;All files (*)"));
+        if (chosen.isEmpty()) return;
+        path->setText(chosen);
+        Q_EMIT changed(preferences_);
+    });
+    form->addRow(words, row);
+    return row;
 }
 
 void SettingsDialog::add_number(QFormLayout* form, const QString& words, const QString& name, int most,
@@ -110,6 +144,29 @@ QWidget* SettingsDialog::make_appearance() {
                 {QStringLiteral("繁體中文"), "zh_TW"}},
                &tools::Preferences::language);
     form->addRow(QString(), note(tr("Another language speaks from the next start on.")));
+    return page;
+}
+
+QWidget* SettingsDialog::make_colour(const QString& system_profile) {
+    auto* page = new QWidget;
+    QFormLayout* form = form_on(page);
+    const QString system = system_profile.isEmpty() ? tr("Of the system, which has none here")
+                                                    : tr("Of the system (%1)").arg(system_profile);
+    QComboBox* monitor = add_choice(form, tr("The screen's profile"), QStringLiteral("monitor"),
+                                    {{system, ""}, {tr("None (sRGB)"), "none"}, {tr("A file"), "file"}},
+                                    &tools::Preferences::monitor);
+    QWidget* file = add_profile(form, tr("Its file"), QStringLiteral("monitor_file"),
+                                &tools::Preferences::monitor_file);
+    const auto follow = [monitor, file] { file->setEnabled(monitor->currentData() == "file"); };
+    connect(monitor, &QComboBox::currentIndexChanged, file, follow);
+    follow();
+    form->addRow(QString(), note(tr("With the profile of your screen, canvas and swatches have the same "
+                                    "colours as on any other that is measured. Files and exports are "
+                                    "not changed.")));
+    add_profile(form, tr("The printer's profile"), QStringLiteral("printer_file"),
+                &tools::Preferences::printer_file);
+    form->addRow(QString(), note(tr("For \"Soft proof\" and \"Gamut warning\" in the \"View\" menu: "
+                                    "of your printer and paper, or of your printing house.")));
     return page;
 }
 

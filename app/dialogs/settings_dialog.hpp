@@ -10,6 +10,7 @@
 
 #include <QDialog>
 
+class QComboBox;
 class QFormLayout;
 class QLabel;
 class QTabWidget;
@@ -19,13 +20,14 @@ namespace pastoso::dialogs {
 class SettingsDialog : public QDialog {
     Q_OBJECT
   public:
-    enum class Page { Appearance, Keeping, Performance, Machine };
+    enum class Page { Appearance, Colour, Keeping, Performance, Machine };
 
     /// One line of the page of the machine: what, and how it is.
     using Fact = std::pair<QString, QString>;
 
-    SettingsDialog(tools::Preferences preferences, int undo_memory_MiB, const std::vector<Fact>& machine,
-                   QWidget* parent = nullptr);
+    /// `system_profile` is what the one of the system calls itself; empty where there is none.
+    SettingsDialog(tools::Preferences preferences, int undo_memory_MiB, const QString& system_profile,
+                   const std::vector<Fact>& machine, QWidget* parent = nullptr);
 
     void show_page(Page page);
 
@@ -38,12 +40,15 @@ class SettingsDialog : public QDialog {
     using UnitWords = std::function<QString(int)>;
 
     QWidget* make_appearance();
+    QWidget* make_colour(const QString& system_profile);
     QWidget* make_keeping(int undo_memory_MiB);
     QWidget* make_performance();
     QWidget* make_machine(const std::vector<Fact>& machine);
-    void add_choice(QFormLayout* form, const QString& words, const QString& name,
-                    const std::vector<std::pair<QString, std::string>>& choices,
-                    std::string tools::Preferences::*preference);
+    QComboBox* add_choice(QFormLayout* form, const QString& words, const QString& name,
+                          const std::vector<std::pair<QString, std::string>>& choices,
+                          std::string tools::Preferences::*preference);
+    QWidget* add_profile(QFormLayout* form, const QString& words, const QString& name,
+                         std::string tools::Preferences::*preference);
     void add_number(QFormLayout* form, const QString& words, const QString& name, int most,
                     const QString& words_for_none, const UnitWords& unit,
                     int tools::Preferences::*preference);

@@ -36,7 +36,8 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       paints(studio, panels.colours),
       memory(studio, panels, light, undo, well, start),
       keys(studio),
-      preferences(studio, undo),
+      colours(studio),
+      preferences(studio, undo, colours),
       place(studio, panels.readings),
       tea(studio, pictures, place),
       tank(studio, pictures, place) {}

@@ -36,6 +36,7 @@
 #include "main/pen/hand_controls.hpp"
 #include "main/pen/pen_commands.hpp"
 #include "main/pen/popup_commands.hpp"
+#include "main/program/colour_commands.hpp"
 #include "main/program/key_commands.hpp"
 #include "main/program/preference_commands.hpp"
 #include "main/program/window_settings.hpp"
@@ -79,6 +80,7 @@ struct WindowParts {
     PaintSettings paints;
     WindowSettings memory;
     KeyCommands keys;
+    ColourCommands colours;
     PreferenceCommands preferences;
     CanvasPlace place;
     TeaMode tea;

@@ -13,6 +13,9 @@ struct Preferences {
     std::string theme = "dark";  ///< or "light"
     std::string language;        ///< "en", "ja", "sv" or "zh_TW"; empty: that of the desktop
     std::string drawn_by;        ///< the canvas: "opengl" or "processor"; empty: what is faster
+    std::string monitor;         ///< whose profile: "none" or "file"; empty: as the system has it
+    std::string monitor_file;    ///< of "file"
+    std::string printer_file;    ///< the profile of a printer; empty: none
     int threads = 0;             ///< 0 to kMostThreads; 0: one for each processor
     int autosave_min = 0;        ///< minutes between two, 0 to kMostAutosave_min; 0: never
     friend bool operator==(const Preferences&, const Preferences&) = default;

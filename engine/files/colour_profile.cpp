@@ -100,8 +100,8 @@ IccProfile linear_icc_profile(WorkingSpace space) {
 
 IccProfile read_icc_profile(const std::filesystem::path& path) {
     const Workshop workshop;
-    IccProfile bytes;
-    const Profile profile = read_profile(workshop, path, bytes);
+    IccProfile bytes = profile_bytes(path);
+    const Profile profile = checked_profile(workshop, bytes, path.string());
     if (cmsGetColorSpace(profile.get()) != cmsSigRgbData) {
         throw core::InputError(path.string() + ": is an ICC profile for " +
                                text_of(cmsGetColorSpace(profile.get())) +

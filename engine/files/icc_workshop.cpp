@@ -28,11 +28,14 @@ Profile open_profile(const Workshop& workshop, const IccProfile& bytes) {
                                             static_cast<cmsUInt32Number>(bytes.size())));
 }
 
-Profile read_profile(const Workshop& workshop, const std::filesystem::path& path, IccProfile& bytes) {
-    bytes = core::read_text_file(path, kMaxProfileBytes);
+IccProfile profile_bytes(const std::filesystem::path& path) {
+    return core::read_text_file(path, kMaxProfileBytes);
+}
+
+Profile checked_profile(const Workshop& workshop, const IccProfile& bytes, const std::string& name) {
     Profile profile = open_profile(workshop, bytes);
     if (profile == nullptr)
-        throw core::InputError(path.string() + ": is no ICC profile (" + workshop.complaint() + ").");
+        throw core::InputError(name + ": is no ICC profile (" + workshop.complaint() + ").");
     return profile;
 }
 

@@ -43,8 +43,11 @@ class Workshop {
 /// Null when the bytes are no profile.
 Profile open_profile(const Workshop& workshop, const IccProfile& bytes);
 
-/// The profile in a file, its bytes in `bytes`. Throws InputError when it holds none.
-Profile read_profile(const Workshop& workshop, const std::filesystem::path& path, IccProfile& bytes);
+/// What a file holds, which may be none.
+IccProfile profile_bytes(const std::filesystem::path& path);
+
+/// Throws InputError, with the name, when the bytes are no profile.
+Profile checked_profile(const Workshop& workshop, const IccProfile& bytes, const std::string& name);
 
 /// "CMYK" of the signature 'CMYK'.
 std::string text_of(cmsColorSpaceSignature signature);

@@ -143,24 +143,27 @@ Colours colours_of_slice(int blue) {
 }  // namespace
 
 IccProfile read_monitor_profile(const std::filesystem::path& path) {
+    return monitor_profile(profile_bytes(path), path.string());
+}
+
+IccProfile monitor_profile(IccProfile bytes, const std::string& name) {
     const Workshop workshop;
-    IccProfile bytes;
-    const Profile profile = read_profile(workshop, path, bytes);
+    const Profile profile = checked_profile(workshop, bytes, name);
     const cmsColorSpaceSignature space = cmsGetColorSpace(profile.get());
     if (space != cmsSigRgbData)
-        throw core::InputError(path.string() + ": is an ICC profile for " + text_of(space) +
+        throw core::InputError(name + ": is an ICC profile for " + text_of(space) +
                                ", but a screen shows red, green and blue.");
     const Profile source = encoded_profile(workshop, pigment::WorkingSpace::Srgb);
     if (!Way(workshop, source, profile, intent_of(profile), kBlackMatched).exists())
-        throw core::InputError(path.string() + ": is an ICC profile that no colour can be shown with (" +
+        throw core::InputError(name + ": is an ICC profile that no colour can be shown with (" +
                                workshop.complaint() + ").");
     return bytes;
 }
 
 IccProfile read_printer_profile(const std::filesystem::path& path) {
     const Workshop workshop;
-    IccProfile bytes;
-    const Profile profile = read_profile(workshop, path, bytes);
+    IccProfile bytes = profile_bytes(path);
+    const Profile profile = checked_profile(workshop, bytes, path.string());
     const Profile screen = encoded_profile(workshop, pigment::WorkingSpace::Srgb);
     const bool prints = Way(workshop, screen, profile, intent_of(profile), kBlackMatched).exists();
     if (!prints || !seen_on(workshop, profile, screen).exists())

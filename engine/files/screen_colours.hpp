@@ -12,6 +12,9 @@ namespace pastoso::files {
 /// other than red, green and blue, or one that colours can be read but not shown with.
 IccProfile read_monitor_profile(const std::filesystem::path& path);
 
+/// The same of a profile that is there already; `name` is what errors call it.
+IccProfile monitor_profile(IccProfile bytes, const std::string& name);
+
 /// The profile of a printer, in a file: of whatever inks. Throws InputError when the file holds no ICC
 /// profile, or one that does not tell both what a colour is printed with and how that looks.
 IccProfile read_printer_profile(const std::filesystem::path& path);

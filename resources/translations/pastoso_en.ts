@@ -2190,6 +2190,22 @@
         <source>All strokes once more, on finer cells, beside the painting on the easel</source>
         <translation>All strokes once more, on finer cells, beside the painting on the easel</translation>
     </message>
+    <message>
+        <source>Soft &amp;proof</source>
+        <translation>Soft &amp;proof</translation>
+    </message>
+    <message>
+        <source>Shows the painting as the printer chosen in the settings would print it</source>
+        <translation>Shows the painting as the printer chosen in the settings would print it</translation>
+    </message>
+    <message>
+        <source>Gamut &amp;warning</source>
+        <translation>Gamut &amp;warning</translation>
+    </message>
+    <message>
+        <source>Colours that this printer has not are grey</source>
+        <translation>Colours that this printer has not are grey</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3024,6 +3040,58 @@
     <message>
         <source>Choose the processor where a graphics driver shows the canvas wrongly.</source>
         <translation>Choose the processor where a graphics driver shows the canvas wrongly.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Colour</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>None</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Choose...</translation>
+    </message>
+    <message>
+        <source>ICC profiles (*.icc *.icm);;All files (*)</source>
+        <translation>ICC profiles (*.icc *.icm);;All files (*)</translation>
+    </message>
+    <message>
+        <source>Of the system, which has none here</source>
+        <translation>Of the system, which has none here</translation>
+    </message>
+    <message>
+        <source>Of the system (%1)</source>
+        <translation>Of the system (%1)</translation>
+    </message>
+    <message>
+        <source>The screen&apos;s profile</source>
+        <translation>The screen&apos;s profile</translation>
+    </message>
+    <message>
+        <source>None (sRGB)</source>
+        <translation>None (sRGB)</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>A file</translation>
+    </message>
+    <message>
+        <source>Its file</source>
+        <translation>Its file</translation>
+    </message>
+    <message>
+        <source>With the profile of your screen, canvas and swatches have the same colours as on any other that is measured. Files and exports are not changed.</source>
+        <translation>With the profile of your screen, canvas and swatches have the same colours as on any other that is measured. Files and exports are not changed.</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s profile</source>
+        <translation>The printer&apos;s profile</translation>
+    </message>
+    <message>
+        <source>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</source>
+        <translation>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</translation>
     </message>
 </context>
 <context>

@@ -2190,6 +2190,22 @@
         <source>All strokes once more, on finer cells, beside the painting on the easel</source>
         <translation>イーゼルの絵はそのままに、すべてのストロークをより細かいセルで描き直します</translation>
     </message>
+    <message>
+        <source>Soft &amp;proof</source>
+        <translation>ソフトプルーフ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows the painting as the printer chosen in the settings would print it</source>
+        <translation>設定で選んだプリンターで印刷したときの見え方を表示します</translation>
+    </message>
+    <message>
+        <source>Gamut &amp;warning</source>
+        <translation>色域外の警告(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Colours that this printer has not are grey</source>
+        <translation>このプリンターで出せない色を灰色にします</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3019,6 +3035,58 @@
     <message>
         <source>Choose the processor where a graphics driver shows the canvas wrongly.</source>
         <translation>グラフィックドライバでキャンバスが正しく表示されない場合は、プロセッサを選んでください。</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>選択...</translation>
+    </message>
+    <message>
+        <source>ICC profiles (*.icc *.icm);;All files (*)</source>
+        <translation>ICCプロファイル (*.icc *.icm);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Of the system, which has none here</source>
+        <translation>システムのもの（ここにはありません）</translation>
+    </message>
+    <message>
+        <source>Of the system (%1)</source>
+        <translation>システムのもの (%1)</translation>
+    </message>
+    <message>
+        <source>The screen&apos;s profile</source>
+        <translation>画面のプロファイル</translation>
+    </message>
+    <message>
+        <source>None (sRGB)</source>
+        <translation>なし (sRGB)</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Its file</source>
+        <translation>そのファイル</translation>
+    </message>
+    <message>
+        <source>With the profile of your screen, canvas and swatches have the same colours as on any other that is measured. Files and exports are not changed.</source>
+        <translation>画面のプロファイルを使うと、カンバスと色見本は、測色されたほかのどの画面とも同じ色になります。ファイルと書き出しは変わりません。</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s profile</source>
+        <translation>プリンターのプロファイル</translation>
+    </message>
+    <message>
+        <source>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</source>
+        <translation>「表示」メニューの「ソフトプルーフ」と「色域外の警告」に使います。お使いのプリンターと用紙、または印刷所のものを選んでください。</translation>
     </message>
 </context>
 <context>

@@ -2190,6 +2190,22 @@
         <source>All strokes once more, on finer cells, beside the painting on the easel</source>
         <translation>Alla penseldrag en gång till, på finare celler, bredvid målningen på staffliet</translation>
     </message>
+    <message>
+        <source>Soft &amp;proof</source>
+        <translation>Skärm&amp;korrektur</translation>
+    </message>
+    <message>
+        <source>Shows the painting as the printer chosen in the settings would print it</source>
+        <translation>Visar målningen som den skrivare som valts i inställningarna skulle skriva ut den</translation>
+    </message>
+    <message>
+        <source>Gamut &amp;warning</source>
+        <translation>Omfångs&amp;varning</translation>
+    </message>
+    <message>
+        <source>Colours that this printer has not are grey</source>
+        <translation>Färger som den skrivaren inte har är grå</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3024,6 +3040,58 @@
     <message>
         <source>Choose the processor where a graphics driver shows the canvas wrongly.</source>
         <translation>Välj processorn där en grafikdrivrutin visar duken fel.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Färg</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Välj...</translation>
+    </message>
+    <message>
+        <source>ICC profiles (*.icc *.icm);;All files (*)</source>
+        <translation>ICC-profiler (*.icc *.icm);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Of the system, which has none here</source>
+        <translation>Systemets, som inte har någon här</translation>
+    </message>
+    <message>
+        <source>Of the system (%1)</source>
+        <translation>Systemets (%1)</translation>
+    </message>
+    <message>
+        <source>The screen&apos;s profile</source>
+        <translation>Skärmens profil</translation>
+    </message>
+    <message>
+        <source>None (sRGB)</source>
+        <translation>Ingen (sRGB)</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>En fil</translation>
+    </message>
+    <message>
+        <source>Its file</source>
+        <translation>Dess fil</translation>
+    </message>
+    <message>
+        <source>With the profile of your screen, canvas and swatches have the same colours as on any other that is measured. Files and exports are not changed.</source>
+        <translation>Med skärmens profil har duk och färgprover samma färger som på alla andra skärmar som är uppmätta. Filer och exporter ändras inte.</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s profile</source>
+        <translation>Skrivarens profil</translation>
+    </message>
+    <message>
+        <source>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</source>
+        <translation>För ”Skärmkorrektur” och ”Omfångsvarning” i menyn ”Visa”: din skrivares och ditt pappers, eller ditt tryckeris.</translation>
     </message>
 </context>
 <context>

@@ -2190,6 +2190,22 @@
         <source>All strokes once more, on finer cells, beside the painting on the easel</source>
         <translation>在畫架上的畫之外，以更細的格點重新繪製所有筆觸</translation>
     </message>
+    <message>
+        <source>Soft &amp;proof</source>
+        <translation>軟打樣(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows the painting as the printer chosen in the settings would print it</source>
+        <translation>以設定中所選印表機列印的樣子顯示畫作</translation>
+    </message>
+    <message>
+        <source>Gamut &amp;warning</source>
+        <translation>色域警告(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Colours that this printer has not are grey</source>
+        <translation>這部印表機印不出的顏色顯示為灰色</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3019,6 +3035,58 @@
     <message>
         <source>Choose the processor where a graphics driver shows the canvas wrongly.</source>
         <translation>若顯示卡驅動程式無法正確顯示畫布，請選擇處理器。</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色彩</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>無</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>選擇...</translation>
+    </message>
+    <message>
+        <source>ICC profiles (*.icc *.icm);;All files (*)</source>
+        <translation>ICC 描述檔 (*.icc *.icm);;所有檔案 (*)</translation>
+    </message>
+    <message>
+        <source>Of the system, which has none here</source>
+        <translation>系統的（此處沒有）</translation>
+    </message>
+    <message>
+        <source>Of the system (%1)</source>
+        <translation>系統的 (%1)</translation>
+    </message>
+    <message>
+        <source>The screen&apos;s profile</source>
+        <translation>螢幕的描述檔</translation>
+    </message>
+    <message>
+        <source>None (sRGB)</source>
+        <translation>無 (sRGB)</translation>
+    </message>
+    <message>
+        <source>A file</source>
+        <translation>檔案</translation>
+    </message>
+    <message>
+        <source>Its file</source>
+        <translation>其檔案</translation>
+    </message>
+    <message>
+        <source>With the profile of your screen, canvas and swatches have the same colours as on any other that is measured. Files and exports are not changed.</source>
+        <translation>使用螢幕的描述檔後，畫布和色樣的顏色會與其他經過量測的螢幕相同。檔案與匯出不會改變。</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s profile</source>
+        <translation>印表機的描述檔</translation>
+    </message>
+    <message>
+        <source>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</source>
+        <translation>用於「檢視」選單中的「軟打樣」與「色域警告」：您的印表機與紙張的，或印刷廠的描述檔。</translation>
     </message>
 </context>
 <context>

@@ -30,8 +30,14 @@ class PreferencesTest : public ::testing::Test {
 };
 
 TEST_F(PreferencesTest, ComeBackAsTheyWereWritten) {
-    const Preferences preferences{
-        .theme = "light", .language = "zh_TW", .drawn_by = "opengl", .threads = 3, .autosave_min = 15};
+    const Preferences preferences{.theme = "light",
+                                  .language = "zh_TW",
+                                  .drawn_by = "opengl",
+                                  .monitor = "file",
+                                  .monitor_file = "/a/screen.icc",
+                                  .printer_file = "/b/ink.icc",
+                                  .threads = 3,
+                                  .autosave_min = 15};
     write_preferences(preferences, file());
     EXPECT_EQ(read_preferences(file()), preferences);
 }
@@ -48,6 +54,8 @@ TEST_F(PreferencesTest, FaultsAreToldWithTheirPlace) {
               name + ", language: \"tlh\" is not one of \"\", \"en\", \"ja\", \"sv\", \"zh_TW\".");
     EXPECT_EQ(fault_of("\"drawn_by\": \"\"", "\"drawn_by\": \"ink\""),
               name + ", drawn_by: \"ink\" is not one of \"\", \"opengl\", \"processor\".");
+    EXPECT_EQ(fault_of("\"monitor\": \"\"", "\"monitor\": \"best\""),
+              name + ", monitor: \"best\" is not one of \"\", \"none\", \"file\".");
     EXPECT_EQ(fault_of("\"threads\": 0", "\"threads\": -1"),
               name + ", threads: -1 is not between 0 and 256.");
     EXPECT_EQ(fault_of("\"autosave_min\": 0", "\"autosave_min\": 1e9"),

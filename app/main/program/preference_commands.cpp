@@ -32,10 +32,11 @@ void apply_preferences(const tools::Preferences& preferences) {
     if (appearance::theme() != theme) appearance::apply_theme(*qApp, theme);
 }
 
-PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo)
-    : studio_(studio), undo_(undo), file_(studio, preferences_file()) {
+PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo, ColourCommands& colours)
+    : studio_(studio), undo_(undo), colours_(colours), file_(studio, preferences_file()) {
     studio_.commands().on(Command::EditSettings, [this](bool) { ask(Page::Appearance); });
     studio_.commands().on(Command::UndoMemory, [this](bool) { ask(Page::Keeping); });
+    connect(&colours_, &ColourCommands::printer_wanted, this, [this] { ask(Page::Colour); });
     autosave_ = new QTimer(&studio_.window());
     autosave_->setObjectName(QStringLiteral("autosave"));
     connect(autosave_, &QTimer::timeout, this, &PreferenceCommands::autosave_due);
@@ -53,10 +54,12 @@ void PreferenceCommands::recall(const KeptPreferences& kept) {
 void PreferenceCommands::show_canvas() {
     for (view::CanvasView* view : studio_.views())
         view->set_drawn_by(drawn_by(preferences_));
+    colours_.use(preferences_);
 }
 
 void PreferenceCommands::ask(Page page) {
-    dialogs::SettingsDialog dialog(preferences_, undo_.memory_MiB(), machine_facts(), &studio_.window());
+    dialogs::SettingsDialog dialog(preferences_, undo_.memory_MiB(), colours_.system_name(),
+                                   machine_facts(), &studio_.window());
     connect(&dialog, &dialogs::SettingsDialog::changed, this, &PreferenceCommands::use);
     connect(&dialog, &dialogs::SettingsDialog::undo_memory_changed, &undo_, &UndoCommands::set_memory);
     dialog.show_page(page);

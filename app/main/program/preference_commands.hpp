@@ -3,6 +3,7 @@
 
 #include "dialogs/settings_dialog.hpp"
 #include "main/canvas/undo_commands.hpp"
+#include "main/program/colour_commands.hpp"
 #include "main/program/kept_preferences.hpp"
 #include "main/program/remembered_file.hpp"
 #include "main/studio.hpp"
@@ -20,7 +21,7 @@ void apply_preferences(const tools::Preferences& preferences);
 class PreferenceCommands : public QObject {
     Q_OBJECT
   public:
-    PreferenceCommands(Studio& studio, UndoCommands& undo);
+    PreferenceCommands(Studio& studio, UndoCommands& undo, ColourCommands& colours);
 
     /// Tells the painter where they could not be read, and leaves the file alone then.
     void recall(const KeptPreferences& kept);
@@ -38,6 +39,7 @@ class PreferenceCommands : public QObject {
 
     Studio& studio_;
     UndoCommands& undo_;
+    ColourCommands& colours_;
     tools::Preferences preferences_;
     RememberedFile file_;
     QTimer* autosave_;  ///< the window's

@@ -10,7 +10,7 @@
 namespace pastoso::panels {
 
 /// What a message that stands is about. Of each matter one stands at most.
-enum class Matter { Journal, Saving, Export, Opening, Notes, Screen };
+enum class Matter { Journal, Saving, Export, Opening, Notes, Screen, Colours };
 
 struct StandingMessage {
     Matter matter{};
