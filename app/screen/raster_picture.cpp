@@ -9,6 +9,7 @@
 #include "shade/cell_span.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -133,11 +134,45 @@ QImage made_of(int width, int height, const Pixel& pixel) {
     return image;
 }
 
-QImage as_image(const pigment::Image16& picture) {
-    return made_of(picture.width, picture.height, [&](int, int, std::size_t i) {
-        const std::uint16_t* rgb = picture.rgb.data() + 3 * i;
-        return qRgba64(rgb[0], rgb[1], rgb[2], 0xFFFF);
+/// The curve of sRGB to 16 bits, between the entries of a table over roots: there it is nearly straight.
+class Encoder {
+  public:
+    Encoder() {
+        for (int i = 0; i <= kSteps + 1; ++i) {
+            const double root = std::min(1.0, static_cast<double>(i) / kSteps);
+            values_[i] = static_cast<float>(kMost16 * pigment::encode_srgb(root * root));
+        }
+    }
+
+    /// Of a value in [0, 1].
+    quint16 operator()(float linear) const {
+        const float along = kSteps * std::sqrt(linear);
+        const int step = static_cast<int>(along);
+        const float share = along - static_cast<float>(step);
+        return static_cast<quint16>(values_[step] + share * (values_[step + 1] - values_[step]) + 0.5F);
+    }
+
+  private:
+    static constexpr int kSteps = 2048;
+    std::array<float, kSteps + 2> values_{};
+};
+
+/// As pigment::encode_srgb16() does it, to a level.
+QImage as_image(const pigment::LinearImage& picture, core::ThreadPool& pool) {
+    static const Encoder encode;
+    QImage image(picture.width, picture.height, QImage::Format_RGBX64);
+    uchar* const first = image.bits();
+    pool.run(static_cast<std::size_t>(picture.height), [&](std::size_t y, int) {
+        auto* line =
+            reinterpret_cast<QRgba64*>(first + static_cast<qsizetype>(y) * image.bytesPerLine());
+        const float* rgb = picture.rgb.data() + 3 * y * static_cast<std::size_t>(picture.width);
+        for (int x = 0; x < picture.width; ++x, rgb += 3) {
+            const pigment::LinearRgb fitting =
+                pigment::into_gamut({rgb[0], rgb[1], rgb[2]}, picture.space);
+            line[x] = qRgba64(encode(fitting[0]), encode(fitting[1]), encode(fitting[2]), 0xFFFF);
+        }
     });
+    return image;
 }
 
 /// Makes parts of the sheet.
@@ -151,6 +186,7 @@ class SheetPainter {
           look_(scene.sight.look),
           scale_top_mm_(scale_top_mm),
           space_(scene.sight.viewing.space),
+          pool_(pool),
           renderer_(seen.film, seen.ground, sheet.lattice,
                     {.lighting = scene.sight.lighting,
                      .viewing = scene.sight.viewing,
@@ -170,9 +206,9 @@ class SheetPainter {
         const auto weights = pigment::luminance_weights(space_);
         switch (look_) {
             case Look::Lit:
-                return as_image(pigment::encode_srgb16(lit));
+                return as_image(lit, pool_);
             case Look::Flat:
-                return as_image(pigment::encode_srgb16(colours(surface)));
+                return as_image(colours(surface), pool_);
             case Look::Wet:
                 return made_of(pixels.width(), pixels.height(), [&](int x, int y, std::size_t i) {
                     const float* rgb = lit.rgb.data() + 3 * i;
@@ -203,6 +239,7 @@ class SheetPainter {
     Look look_;
     double scale_top_mm_;
     pigment::WorkingSpace space_;
+    core::ThreadPool& pool_;
     shade::Renderer renderer_;
 };
 

@@ -37,8 +37,11 @@ const std::shared_ptr<document::Snapshot>& painting() {
 RasterScene scene_at(double zoom, double angle_deg) {
     ViewTransform view = fitted({kWidth, kHeight}, {kWindow_px.width(), kWindow_px.height()});
     if (zoom > 0.0) view = zoomed(view, {500.0, 350.0}, zoom / view.zoom);
-    return {
-        {painting(), {}, {}, {}, Look::Lit}, turned(view, {500.0, 350.0}, angle_deg), kWindow_px, {}};
+    return {{painting(), {}, {}, {}, Look::Lit},
+            turned(view, {500.0, 350.0}, angle_deg),
+            kWindow_px,
+            {},
+            {}};
 }
 
 /// All of a canvas that was not seen before.
@@ -73,6 +76,53 @@ BENCHMARK(draw_window)
     ->Args({400, 0})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+/// A cube that swaps red and green, as none of a screen does.
+appearance::ScreenCube swapping_cube() {
+    auto cube = std::make_shared<pigment::ColourCube>();
+    constexpr int kSide = pigment::ColourCube::kSide;
+    for (int i = 0; i < kSide * kSide * kSide; ++i)
+        cube->nodes[i].shown = {pigment::ColourCube::value_at(i / kSide % kSide),
+                                pigment::ColourCube::value_at(i % kSide),
+                                pigment::ColourCube::value_at(i / kSide / kSide)};
+    return cube;
+}
+
+/// From another place, through the colours of a screen; the arguments are those of draw_window.
+void draw_window_in_colours(benchmark::State& run) {
+    core::ThreadPool pool;
+    RasterScene scene =
+        scene_at(0.01 * static_cast<double>(run.range(0)), static_cast<double>(run.range(1)));
+    scene.colours = swapping_cube();
+    RasterPicture picture;
+    picture.show(scene, Quality::Full, pool);
+    for (auto _ : run) {
+        scene.view.origin_px.x += 1.0;
+        picture.show(scene, Quality::Full, pool);
+        benchmark::DoNotOptimize(picture.image().constBits());
+    }
+}
+BENCHMARK(draw_window_in_colours)
+    ->Args({100, 0})
+    ->Args({400, 0})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// Another profile of the screen.
+void draw_other_colours(benchmark::State& run) {
+    core::ThreadPool pool;
+    RasterScene scene = scene_at(1.0, 0.0);
+    const appearance::ScreenCube cubes[] = {swapping_cube(), swapping_cube()};
+    RasterPicture picture;
+    picture.show(scene, Quality::Full, pool);
+    std::size_t turn = 0;
+    for (auto _ : run) {
+        scene.colours = cubes[turn++ % 2];
+        picture.show(scene, Quality::Full, pool);
+        benchmark::DoNotOptimize(picture.image().constBits());
+    }
+}
+BENCHMARK(draw_other_colours)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 /// Paint of so many tiles is another.
 void draw_tiles(benchmark::State& run) {
