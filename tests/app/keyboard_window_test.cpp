@@ -302,8 +302,9 @@ TEST_F(Keyboard, TheTiltsKnobIsWhereItIsDragged) {
 
 TEST_F(Keyboard, ReachesAllOfTheSettings) {
     using Page = dialogs::SettingsDialog::Page;
-    for (const Page page : {Page::Appearance, Page::Keeping, Page::Performance, Page::Machine}) {
-        dialogs::SettingsDialog dialog({}, 512, {{"OpenGL", "none"}}, &window());
+    for (const Page page :
+         {Page::Appearance, Page::Colour, Page::Keeping, Page::Performance, Page::Machine}) {
+        dialogs::SettingsDialog dialog({}, 512, {}, {{"OpenGL", "none"}}, &window());
         dialog.show_page(page);
         expect_all_reached(dialog);
     }

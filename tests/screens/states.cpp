@@ -133,10 +133,11 @@ void take_dialogs(Camera& camera) {
     camera.take_dialog(Command::PenSettings, QStringLiteral("dialog-pen"), [](QWidget& dialog) {
         if (auto* pad = dialog.findChild<panels::PenPad*>()) scribble(*pad);
     });
-    for (const auto& [page, name] : {std::pair{Page::Appearance, "settings-appearance"},
-                                     std::pair{Page::Keeping, "settings-keeping"},
-                                     std::pair{Page::Performance, "settings-performance"},
-                                     std::pair{Page::Machine, "settings-machine"}})
+    for (const auto& [page, name] :
+         {std::pair{Page::Appearance, "settings-appearance"}, std::pair{Page::Colour, "settings-colour"},
+          std::pair{Page::Keeping, "settings-keeping"},
+          std::pair{Page::Performance, "settings-performance"},
+          std::pair{Page::Machine, "settings-machine"}})
         camera.take_dialog(Command::EditSettings, QString::fromLatin1(name),
                            [page = page](QWidget& dialog) { show_only(dialog, page); });
 }
