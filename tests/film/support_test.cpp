@@ -1,7 +1,9 @@
 #include "film/support/support.hpp"
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "film/support/smooth_noise.hpp"
+#include "film/support/weave_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,7 @@ struct NamedSupport {
     const char* name;
     double relief_mm;
     double least_roughness_mm;  ///< standard deviation that the cells must show at 0.1 mm
+    std::uint64_t heights = 0;  ///< their hash, over cells of many sizes
     double fine_mm = 0.05;      ///< a cell of which even five side by side show the finest thread
 };
 
@@ -125,6 +128,21 @@ TEST_P(EverySupport, IsTheSameOnAnyNumberOfThreads) {
             ASSERT_EQ(field.at(x, y), other.at(x, y)) << x << ", " << y;
 }
 
+/// Paintings lie on what was made before; the files hold its name alone.
+TEST_P(EverySupport, IsWhatItAlwaysWas) {
+    pastoso::core::Hash64 hash;
+    for (const double cell_mm : {0.4, 0.25, 0.125, 1.0 / 16, 1.0 / 40}) {
+        for (const ClothPlace place : {ClothPlace{0, 0}, ClothPlace{-1370, 20911}}) {
+            const SupportHeights field = named_support(GetParam().name, {333, 270}, cell_mm, 0.0, pool,
+                                                       SupportForm::Levels, place);
+            for (int y = 0; y < field.shape().height; ++y)
+                for (int x = 0; x < field.shape().width; ++x)
+                    hash.add_value(field.at(x, y));
+        }
+    }
+    EXPECT_EQ(hash.value(), GetParam().heights);
+}
+
 TEST_P(EverySupport, TakesTwoBytesACell) {
     const SupportHeights field = named_support(GetParam().name, {128, 128}, 0.1, 0.0, pool);
     EXPECT_EQ(field.allocated_bytes(), 2U * 128U * 128U);
@@ -142,19 +160,20 @@ TEST_P(EverySupport, IsTheSameInTheFineFormUpToALevel) {
                 << x << ", " << y;
 }
 
-INSTANTIATE_TEST_SUITE_P(Supports, EverySupport,
-                         testing::Values(NamedSupport{"linen", 0.11, 0.01},
-                                         NamedSupport{"cotton duck", 0.08, 0.007},
-                                         NamedSupport{"panel", 0.02, 0.002},
-                                         NamedSupport{"fine portrait linen", 0.06, 0.005, 0.02},
-                                         NamedSupport{"medium linen", 0.11, 0.01, 0.02},
-                                         NamedSupport{"rough jute", 0.34, 0.03},
-                                         NamedSupport{"gesso panel", 0.06, 0.005}),
-                         [](const auto& support) {
-                             std::string name = support.param.name;
-                             std::replace(name.begin(), name.end(), ' ', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Supports, EverySupport,
+    testing::Values(NamedSupport{"linen", 0.11, 0.01, 0x74afa3f762c3894dU},
+                    NamedSupport{"cotton duck", 0.08, 0.007, 0xea322cb7c22f0cb1U},
+                    NamedSupport{"panel", 0.02, 0.002, 0xfdd470874490e74dU},
+                    NamedSupport{"fine portrait linen", 0.06, 0.005, 0x9f1a18f7fad7e595U, 0.02},
+                    NamedSupport{"medium linen", 0.11, 0.01, 0x3f59b3e32b7d93c0U, 0.02},
+                    NamedSupport{"rough jute", 0.34, 0.03, 0x2d201f30eb678deU},
+                    NamedSupport{"gesso panel", 0.06, 0.005, 0x1d4f95e6287d7fU}),
+    [](const auto& support) {
+        std::string name = support.param.name;
+        std::replace(name.begin(), name.end(), ' ', '_');
+        return name;
+    });
 
 TEST(WovenSupport, ARegularWeaveRepeatsAfterTwoThreads) {
     const Weave weave{.thread_pitch_mm = 0.8, .relief_mm = 0.1, .irregularity = 0.0};
@@ -238,16 +257,61 @@ TEST(ImageSupport, IsMirroredWithItsImage) {
     }
 }
 
-TEST(NoiseWalk, IsTheNoiseItselfToTheBit) {
-    NoiseWalk walk(5);
+TEST(WeaveKernels, GiveTheSameBitsInEveryInstructionSet) {
+    constexpr int kCount = 200, kBeyond = 16;
+    std::vector<std::vector<float>> columns;
+    const auto column = [&](float least, float most) {
+        columns.emplace_back(kCount + kBeyond);
+        const auto stream = static_cast<std::uint32_t>(columns.size());
+        for (std::uint32_t k = 0; k < kCount + kBeyond; ++k)
+            columns.back()[k] = least + (most - least) * pastoso::core::uniform_noise(k, stream);
+        return columns.back().data();
+    };
+    const auto sections = [&](float place) {
+        return SectionColumns{column(place - 0.2F, place + 0.2F), column(0.3F, 0.6F),
+                              column(0.6F, 1.0F)};
+    };
+    ClothLine line{.count = kCount, .u = column(4.4F, 5.6F), .v = 7.3F};
+    line.warp_before = sections(4.5F);
+    line.warp_after = sections(5.5F);
+    const std::vector<float> parity(kCount + kBeyond, -1.0F);
+    line.warp_parity = parity.data();
+    for (int i = 0; i < kWeftsNear; ++i)
+        line.weft[i] = sections(5.5F + static_cast<float>(i));
+    line.fibres_above = column(0.0F, 1.0F);
+    line.fibres_below = column(0.0F, 1.0F);
+    line.fibres_share = 0.3F;
+    using pastoso::core::Isa;
+    for (const float fine : {0.0F, 0.15F}) {
+        line.twist = line.nap = fine;
+        line.shown = 1.0F - fine;
+        std::vector<float> expected(kCount + kBeyond);
+        WeaveKernels::baseline.cloth_heights(line, expected.data());
+        for (const Isa isa : {Isa::Avx2, Isa::Avx512}) {
+            if (isa > pastoso::core::best_isa()) continue;
+            std::vector<float> found(kCount + kBeyond);
+            pastoso::core::kernels<WeaveKernels>(isa).cloth_heights(line, found.data());
+            for (int k = 0; k < kCount; ++k)
+                ASSERT_EQ(found[k], expected[k]) << pastoso::core::name_of(isa) << ", column " << k;
+        }
+    }
+}
+
+TEST(NoiseLine, IsTheNoiseItselfToTheBit) {
+    std::vector<NoisePlace> places;
+    std::vector<float> expected;
     double x = 0.0, y = 0.0;
     for (std::uint32_t i = 0; i < 5000; ++i) {
         // Steps within the same four numbers, to others, and far away, on both sides of 0.
         const double reach = i % 100 == 0 ? 1000.0 : 0.7;
         x = (i % 100 == 0 ? 0.0 : x) + reach * (pastoso::core::uniform_noise(i, 1) - 0.5);
         y = (i % 100 == 0 ? 0.0 : y) + reach * (pastoso::core::uniform_noise(i, 2) - 0.5);
-        ASSERT_EQ(walk.at(x, y), smooth_noise(x, y, 5)) << x << " " << y;
+        places.push_back(noise_place(x, y));
+        expected.push_back(smooth_noise(x, y, 5));
     }
+    std::vector<float> found(places.size());
+    NoiseLine(5).put(places, found);
+    EXPECT_EQ(found, expected);
 }
 
 /// Crowns that a line through a cloth goes over, in a millimetre.

@@ -4,9 +4,9 @@
 
 #include "core/random.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace pastoso::film {
 
@@ -33,36 +33,48 @@ inline float smooth_noise(double x, double y, std::uint32_t stream) {
     return above + share * (smooth_noise(x, plane + row + 1) - above);
 }
 
-/// smooth_noise(x, y, stream), to the bit, at places that follow each other closely: most of the work is
-/// to find the four numbers around a place, which are the same for all of them.
-class NoiseWalk {
-  public:
-    explicit NoiseWalk(std::uint32_t stream) : plane_(core::scramble(stream)) { find(0, 0); }
+/// Between which four whole places a place lies, and where.
+struct NoisePlace {
+    std::int32_t column, row;
+    float across, down;  ///< smooth steps
+};
 
-    float at(double x, double y) {
-        const double left = std::floor(x), top = std::floor(y);
-        const auto column = static_cast<std::int32_t>(left), row = static_cast<std::int32_t>(top);
-        if (column != column_ || row != row_) find(column, row);
-        const float across = smooth_step(static_cast<float>(x - left));
-        const float down = smooth_step(static_cast<float>(y - top));
-        const float above = corners_[0] + across * (corners_[1] - corners_[0]);
-        const float below = corners_[2] + across * (corners_[3] - corners_[2]);
-        return above + down * (below - above);
+inline NoisePlace noise_place(double x, double y) {
+    // Rounded down without a call, so that loops over it are vectorised.
+    const auto below = [](double t) {
+        const auto whole = static_cast<std::int32_t>(t);
+        return whole - (static_cast<double>(whole) > t ? 1 : 0);
+    };
+    const std::int32_t column = below(x), row = below(y);
+    return {column, row, smooth_step(static_cast<float>(x - column)),
+            smooth_step(static_cast<float>(y - row))};
+}
+
+/// smooth_noise(x, y, stream), to the bit, at places along a line: most of the work is to find the four
+/// numbers around a place, which are the same for those that follow each other closely.
+class NoiseLine {
+  public:
+    explicit NoiseLine(std::uint32_t stream) : plane_(core::scramble(stream)) {}
+
+    void put(std::span<const NoisePlace> places, std::span<float> values) const {
+        for (std::size_t k = 0; k < places.size();) {
+            const std::int32_t column = places[k].column, row = places[k].row;
+            const auto index = static_cast<std::uint32_t>(column);
+            const std::uint32_t stream = plane_ + static_cast<std::uint32_t>(row);
+            const float left = core::uniform_noise(index, stream),
+                        to_right = core::uniform_noise(index + 1, stream) - left,
+                        left_below = core::uniform_noise(index, stream + 1),
+                        to_right_below = core::uniform_noise(index + 1, stream + 1) - left_below;
+            for (; k < places.size() && places[k].column == column && places[k].row == row; ++k) {
+                const float above = left + places[k].across * to_right;
+                const float below = left_below + places[k].across * to_right_below;
+                values[k] = above + places[k].down * (below - above);
+            }
+        }
     }
 
   private:
-    void find(std::int32_t column, std::int32_t row) {
-        column_ = column;
-        row_ = row;
-        const auto index = static_cast<std::uint32_t>(column);
-        const std::uint32_t stream = plane_ + static_cast<std::uint32_t>(row);
-        corners_ = {core::uniform_noise(index, stream), core::uniform_noise(index + 1, stream),
-                    core::uniform_noise(index, stream + 1), core::uniform_noise(index + 1, stream + 1)};
-    }
-
     std::uint32_t plane_;
-    std::int32_t column_ = 0, row_ = 0;
-    std::array<float, 4> corners_{};  ///< left and right above, left and right below
 };
 
 }  // namespace pastoso::film

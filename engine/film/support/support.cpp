@@ -3,7 +3,6 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "film/support/smooth_noise.hpp"
 #include "film/support/support_sampling.hpp"
 #include "grid/bspline.hpp"
 
@@ -72,51 +71,6 @@ struct NamedPanel {
 };
 constexpr NamedPanel kPanels[] = {{"gesso panel", kGessoRelief_mm, GessoCoats::Crossed},
                                   {"panel", kPanelRelief_mm, GessoCoats::One}};
-
-constexpr double kFineBrushMark_mm = 0.3;
-
-/// Brush marks in gesso, long in x and narrow in y, in two widths, over a fine grain.
-class Gesso {
-  public:
-    float height(double x_mm, double y_mm) {
-        const double drift_mm = 3.0 * drift_.at(x_mm / 40.0, y_mm / 60.0);
-        const float broad = broad_.at(x_mm / 30.0, (y_mm + drift_mm) / 1.2);
-        const float fine = fine_.at(x_mm / 9.0, (y_mm + drift_mm) / kFineBrushMark_mm);
-        const float grain = grain_.at(x_mm / 0.6, y_mm / 0.4);
-        return 0.4F * broad + 0.4F * fine + 0.2F * grain;
-    }
-
-  private:
-    NoiseWalk drift_{1}, broad_{2}, fine_{3}, grain_{4};
-};
-
-/// A second coat, laid across the first with a brush three times as broad.
-class CrossedGesso {
-  public:
-    float height(double x_mm, double y_mm) {
-        constexpr double kBroader = 3.0;
-        const float first = coat_.height(x_mm, y_mm);
-        return 0.45F * first + 0.55F * second_.height(y_mm / kBroader + 500.0, x_mm / kBroader);
-    }
-
-  private:
-    Gesso coat_, second_;
-};
-
-template <class Coats>
-SupportHeights gesso_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
-                             SupportForm form, const ClothPlace& place) {
-    const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
-    const double first_sample = static_cast<double>(place.x0) * samples;
-    const auto fill_row = [=, gesso = Coats()](double y_cells, std::span<float> heights) mutable {
-        const double step_mm = cell_mm / samples;
-        for (std::size_t k = 0; k < heights.size(); ++k) {
-            heights[k] =
-                gesso.height((first_sample + static_cast<double>(k) + 0.5) * step_mm, y_cells * cell_mm);
-        }
-    };
-    return sampled_in(form, {shape, place.y0}, samples, relief_mm, pool, [&] { return fill_row; });
-}
 
 /// B-spline coefficients of a grey image whose pixels are means over their area.
 class SplineImage {
@@ -191,14 +145,6 @@ struct StretchedImage {
 };
 
 }  // namespace
-
-SupportHeights panel_support(grid::Shape shape, double cell_mm, double relief_mm, GessoCoats coats,
-                             core::ThreadPool& pool, SupportForm form, const ClothPlace& place) {
-    PASTOSO_CHECK_OP(cell_mm, >, 0.0);
-    return coats == GessoCoats::One
-               ? gesso_support<Gesso>(shape, cell_mm, relief_mm, pool, form, place)
-               : gesso_support<CrossedGesso>(shape, cell_mm, relief_mm, pool, form, place);
-}
 
 SupportHeights image_support(grid::Shape shape, const std::vector<float>& grey, int width, int height,
                              double relief_mm, core::ThreadPool& pool) {

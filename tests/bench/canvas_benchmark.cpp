@@ -1,0 +1,105 @@
+// How long a new canvas takes until it can be painted on, seen, and seen in full, how long the window
+// stood still meanwhile, and the memory that it came to.
+//
+//     LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb xvfb-run -a build/bin/canvas_benchmark [SIDE_MM
+//     [PX_PER_MM [SUPPORT [processor | opengl [SECONDS]]]]]
+
+#include "bench/bench_window.hpp"
+#include "main/window_parts.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+namespace {
+
+using namespace pastoso;
+
+/// What came after so many seconds.
+struct Times {
+    std::optional<double> begun_s, painted_s, seen_s, whole_s;
+    double longest_wait_s = 0.0;
+};
+
+void tell(const char* what, const std::optional<double>& after_s) {
+    if (after_s)
+        std::printf("%-40s %7.3f s\n", what, *after_s);
+    else
+        std::printf("%-40s not yet\n", what);
+}
+
+void paint_a_stroke(tools::Easel& easel, const document::CanvasSettings& canvas) {
+    tools::Pointer pointer;
+    pointer.pressure = 0.8;
+    pointer.y_mm = 0.5 * canvas.height_mm;
+    pointer.time_ms = 1000;
+    for (double x_mm = 0.45 * canvas.width_mm; x_mm <= 0.55 * canvas.width_mm; x_mm += 2.0) {
+        const bool first = pointer.time_ms == 1000;
+        pointer.x_mm = x_mm;
+        pointer.time_ms += 5;
+        if (first)
+            easel.press(pointer);
+        else
+            easel.move(pointer);
+    }
+    easel.release();
+}
+
+Times times_of(bench::Window& shown, const document::CanvasSettings& canvas, double limit_s) {
+    main::Studio& studio = shown.studio();
+    QElapsedTimer clock;
+    const auto now_s = [&] { return 1e-9 * static_cast<double>(clock.nsecsElapsed()); };
+    Times times;
+    QObject::connect(&studio, &main::Studio::session_begun, &studio, [&] { times.begun_s = now_s(); });
+    clock.start();
+    (*shown).parts().files.new_canvas(canvas);
+    double looked_s = 0.0;
+    bool stroked = false;
+    while (now_s() < limit_s && !(times.whole_s && times.painted_s)) {
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+        times.longest_wait_s = std::max(times.longest_wait_s, now_s() - looked_s);
+        looked_s = now_s();
+        if (!times.begun_s) continue;
+        if (!stroked) paint_a_stroke(studio.easel(), canvas);
+        stroked = true;
+        const auto* seen = studio.canvas().shown();
+        if (seen == nullptr || !(seen->bare->settings == canvas)) continue;
+        if (!times.seen_s) times.seen_s = now_s();
+        const bool is_painted = studio.session().status().strokes > 0 && seen->tick > 0;
+        if (is_painted && !times.painted_s) times.painted_s = now_s();
+        if (!times.whole_s && studio.canvas().finished()) times.whole_s = now_s();
+    }
+    return times;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    bench::prepare();
+    QApplication application(argc, argv);
+    document::CanvasSettings canvas;
+    canvas.width_mm = canvas.height_mm = argc > 1 ? std::atof(argv[1]) : 1024.0;
+    canvas.px_per_mm = argc > 2 ? std::atof(argv[2]) : 8.0;
+    if (argc > 3) canvas.support = argv[3];
+    bench::Window shown({});
+    if (!shown.shown()) return EXIT_FAILURE;
+    if (argc > 4)
+        shown.studio().canvas().set_drawn_by(
+            std::string(argv[4]) == "opengl" ? screen::DrawnBy::OpenGl : screen::DrawnBy::Processor);
+    QTest::qWait(1500);
+    const Times times = times_of(shown, canvas, argc > 5 ? std::atof(argv[5]) : 60.0);
+    std::printf("%g x %g mm of %s at %g px/mm\n", canvas.width_mm, canvas.height_mm,
+                canvas.support.c_str(), canvas.px_per_mm);
+    tell("there to paint on", times.begun_s);
+    tell("seen", times.seen_s);
+    tell("a stroke on it seen", times.painted_s);
+    tell("seen in full", times.whole_s);
+    std::printf("%-40s %7.3f s\n", "the window stood still for", times.longest_wait_s);
+    std::printf("%-40s %7.0f MiB\n", "memory at most", core::peak_rss_mib());
+    return EXIT_SUCCESS;
+}
