@@ -27,6 +27,8 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Put a fresh canvas on the easel")},
     CommandText{Command::OpenPainting, kFile, QT_TR_NOOP("&Open..."), "Ctrl+O",
                 QT_TR_NOOP("Go on with a painting that was saved, wet as it was")},
+    CommandText{Command::CancelLoading, kFile, QT_TR_NOOP("Cance&l opening"), "Ctrl+Alt+.",
+                QT_TR_NOOP("Give up what is being opened or made; the painting on the easel stays")},
     CommandText{Command::StartPage, kFile, QT_TR_NOOP("Start &page"), "",
                 QT_TR_NOOP("New canvases, recent paintings and examples at a glance")},
     CommandText{Command::SavePainting, kFile, QT_TR_NOOP("&Save"), "Ctrl+S",

@@ -8,6 +8,7 @@ namespace pastoso::commands {
 enum class Command {
     NewCanvas,
     OpenPainting,
+    CancelLoading,
     StartPage,
     SavePainting,
     SavePaintingAs,

@@ -17,6 +17,7 @@ struct Name {
 constexpr Name kNames[] = {
     {Command::NewCanvas, "new_canvas"},
     {Command::OpenPainting, "open_painting"},
+    {Command::CancelLoading, "cancel_loading"},
     {Command::StartPage, "start_page"},
     {Command::SavePainting, "save_painting"},
     {Command::SavePaintingAs, "save_painting_as"},

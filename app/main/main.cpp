@@ -42,6 +42,7 @@ void take_screenshot_later(MainWindow& window, const Arguments& arguments) {
     auto* poll = new QTimer(&window);
     QObject::connect(poll, &QTimer::timeout, &window, [&window, path, poll] {
         poll->setInterval(50);
+        if (window.parts().loading.busy()) return;
         if (!window.studio().canvas().finished() && window.studio().session().status().awake_tiles == 0)
             return;
         poll->stop();
@@ -49,6 +50,23 @@ void take_screenshot_later(MainWindow& window, const Arguments& arguments) {
         QApplication::exit(saved ? EXIT_SUCCESS : fail("Cannot write " + path.toStdString() + "."));
     });
     poll->start(static_cast<int>(1000.0 * arguments.after_s));
+}
+
+/// What the program is started with is opened beside the window. Where it cannot be, whoever wants a
+/// picture of it gets none, and who came to paint gets the start page.
+void open_file(MainWindow& window, const Arguments& arguments) {
+    using pastoso::main::Loading;
+    const auto failed = [&window, &arguments](const QString& sentence) {
+        if (arguments.screenshot)
+            QApplication::exit(fail(sentence.toStdString()));
+        else if (!arguments.profile)
+            window.parts().start.welcome();
+    };
+    const Loading& loading = window.parts().loading;
+    auto* opening = new QObject(&window);
+    QObject::connect(&loading, &Loading::failed, opening, failed);
+    QObject::connect(&loading, &Loading::ended, opening, &QObject::deleteLater);
+    window.open_file(*arguments.file);
 }
 
 /// First of a run that failed: what it says of that. What was painted in it stands on the start page,
@@ -88,10 +106,9 @@ int run(const Arguments& arguments, const pastoso::main::KeptPreferences& prefer
                                                        : pastoso::main::live_px_per_mm();
     MainWindow window(first_canvas(live_px_per_mm), !arguments.screenshot, preferences);
     window.studio().set_live_px_per_mm(live_px_per_mm);
-    const std::string fault = arguments.file ? window.open_file(*arguments.file) : "";
-    if (!fault.empty() && arguments.screenshot) return fail(fault);
-    const bool with_page = (!arguments.file || !fault.empty()) && !arguments.profile;
+    const bool with_page = !arguments.file && !arguments.profile;
     window.show();
+    if (arguments.file) open_file(window, arguments);
     if (arguments.screenshot)
         take_screenshot_later(window, arguments);
     else

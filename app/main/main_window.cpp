@@ -5,7 +5,6 @@
 #include "panels/paint/medium_panel.hpp"
 #include "panels/paint/thinning_slider.hpp"
 #include "pigment/user_pigments.hpp"
-#include "recordings/recording_json.hpp"
 
 #include <QCloseEvent>
 
@@ -55,6 +54,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!event->isAccepted()) return;
     parts_->exporting.exporter().stop();
     parts_->again.stop();
+    parts_->loading.cancel();
     parts_->place.give_back();
     parts_->view.leave_canvas_only();
     parts_->paints.remember();
@@ -68,17 +68,12 @@ void MainWindow::replay(const document::Recording& recording) {
     parts_->files.replay(recording);
 }
 
-std::string MainWindow::open_file(const std::filesystem::path& file) {
+void MainWindow::open_file(const std::filesystem::path& file) {
     const QString path = QString::fromStdString(file.string());
-    const std::string fault = core::fault_of([&] {
-        if (ProjectFiles::opens(path))
-            parts_->files.open_painting(path);
-        else
-            replay(recordings::read_recording_json(file));
-    });
-    if (!fault.empty())
-        studio_.messages().raise({panels::Matter::Opening, QString::fromStdString(fault)});
-    return fault;
+    if (ProjectFiles::opens(path))
+        parts_->files.open_painting(path);
+    else
+        parts_->files.replay_file(file);
 }
 
 }  // namespace pastoso::main

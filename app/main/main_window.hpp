@@ -33,9 +33,9 @@ class MainWindow : public QMainWindow {
     /// Puts up the recording's canvas and paints on it what was recorded.
     void replay(const document::Recording& recording);
 
-    /// Puts up what the program is started with: a painting, a picture, or a recording. Where it cannot
-    /// be, that stands in the window, whose canvas stays as it is, and the sentence is returned.
-    std::string open_file(const std::filesystem::path& file);
+    /// Begins to open what the program is started with: a painting, a picture, or a recording. Where it
+    /// cannot be had, that stands in the window, whose canvas stays as it is.
+    void open_file(const std::filesystem::path& file);
 
   protected:
     void closeEvent(QCloseEvent* event) override;

@@ -32,7 +32,9 @@ Studio::Studio(QMainWindow& window)
       canvas_(new view::CanvasView),
       well_(new view::CanvasView(document::Surface::Well)),
       on_canvas_(new interactions::OnCanvas(canvas_, *easel_, document::Surface::Canvas)),
-      on_well_(new interactions::OnCanvas(well_, *easel_, document::Surface::Well)) {
+      on_well_(new interactions::OnCanvas(well_, *easel_, document::Surface::Well)),
+      ending_([](auto& session) { session.reset(); },
+              [tell = teller()](auto&, const std::string& fault) { tell(fault); }) {
     if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))
         connect(application, &Application::failed, this, &Studio::report_refusal, Qt::QueuedConnection);
     const std::string& problem = graphics::opengl_support().problem;
@@ -55,6 +57,7 @@ void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<docu
     for (const panels::Matter matter :
          {panels::Matter::Saving, panels::Matter::Opening, panels::Matter::Notes})
         messages_.solve(matter);
+    if (session_) ending_.add(std::move(session_));
     session_ = std::make_unique<session::PaintSession>(
         std::move(pool), std::move(painting), queued_refresh(this, [this] { show_published(); }),
         std::move(past), commands_.action(commands::Command::Pause)->isChecked(), std::move(journal),

@@ -4,6 +4,7 @@
 
 #include "commands/command_registry.hpp"
 #include "core/fault.hpp"
+#include "core/worker.hpp"
 #include "interactions/on_canvas.hpp"
 #include "panels/messages/message_log.hpp"
 #include "session/paint_session.hpp"
@@ -111,6 +112,8 @@ class Studio : public QObject {
     view::CanvasView* well_;
     interactions::OnCanvas* on_canvas_;  ///< the views' own
     interactions::OnCanvas* on_well_;
+    /// Sessions of paintings that have left the easel: their end waits for the tick that they are at.
+    core::Worker<std::unique_ptr<session::PaintSession>> ending_;
 };
 
 }  // namespace pastoso::main

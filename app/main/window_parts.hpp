@@ -11,6 +11,7 @@
 #include "main/canvas/view_commands.hpp"
 #include "main/files/dropped_files.hpp"
 #include "main/files/exporting.hpp"
+#include "main/files/loading.hpp"
 #include "main/files/painting_again.hpp"
 #include "main/files/project_files.hpp"
 #include "main/files/recorder.hpp"
@@ -48,6 +49,7 @@ struct WindowParts {
     WindowParts(Studio& studio, const PanelSet& panels, bool keeps_journal);
 
     MessagePlace messages;
+    Loading loading;
     CanvasSizing sizing;
     LayerCommands layers;
     LayerPictures layer_pictures;

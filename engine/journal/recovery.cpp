@@ -23,6 +23,9 @@ namespace fs = std::filesystem;
 /// Hours of painting.
 constexpr std::size_t kMostJournalBytes = std::size_t{1} << 30;
 
+/// What of a recovery loading a checkpoint takes, about.
+constexpr double kLoading = 0.3;
+
 JournalContent read_journal(const fs::path& folder) {
     const fs::path path = folder / kStrokesFile;
     const std::string text = core::read_text_file(path, kMostJournalBytes);
@@ -89,6 +92,7 @@ document::Recording actions_of(const Candidate& candidate) {
 
 std::unique_ptr<document::Painting> painting_at(const fs::path& folder, const Candidate& candidate,
                                                 const JournalContent& content, core::ThreadPool& pool,
+                                                const core::Progress& progress,
                                                 std::vector<std::string>& notes) {
     if (candidate.file.empty()) {
         if (candidate.run == nullptr || candidate.tick != 0)
@@ -96,7 +100,7 @@ std::unique_ptr<document::Painting> painting_at(const fs::path& folder, const Ca
                                    ": does not say what was painted on.");
         return recordings::make_painting(content.runs.front().recording.canvas, pool);
     }
-    project::LoadedProject start = project::load_project(folder / candidate.file, pool);
+    project::LoadedProject start = project::load_project(folder / candidate.file, pool, progress);
     if (start.painting.tick != candidate.tick)
         throw core::InputError((folder / candidate.file).string() + ": is of another moment.");
     notes.insert(notes.end(), start.notes.begin(), start.notes.end());
@@ -105,8 +109,7 @@ std::unique_ptr<document::Painting> painting_at(const fs::path& folder, const Ca
 
 /// What could be replayed, with the pen lifted; an action that does not follow ends it.
 document::Recording played(document::Painting& painting, document::Recording actions,
-                           const std::function<void(double)>& progress,
-                           std::vector<std::string>& notes) {
+                           const core::Progress& progress, std::vector<std::string>& notes) {
     painting.keep_undo_steps(document::undo_depth(actions));
     std::size_t applied = 0;
     const std::int64_t first_tick = painting.tick();
@@ -210,12 +213,14 @@ std::string project_file_of(const JournalContent& content) {
 
 Recovered recovered_from(const fs::path& folder, const Candidate& candidate,
                          const JournalContent& content, core::ThreadPool& pool,
-                         const std::function<void(double)>& progress) {
+                         const core::Progress& progress) {
     Recovered recovered;
     recovered.file = project_file_of(content);
-    const auto painting = painting_at(folder, candidate, content, pool, recovered.notes);
+    const double begun = candidate.file.empty() ? 0.0 : kLoading;
+    const auto painting = painting_at(folder, candidate, content, pool,
+                                      core::part_of(progress, 0.0, begun), recovered.notes);
     const document::Recording actions =
-        played(*painting, actions_of(candidate), progress, recovered.notes);
+        played(*painting, actions_of(candidate), core::part_of(progress, begun, 1.0), recovered.notes);
     recovered.painting = painting->state();
     add_strokes(folder, candidate, content, actions, recovered);
     tell_arithmetic(candidate, recovered.notes);
@@ -285,8 +290,7 @@ std::vector<Unfinished> unfinished_paintings(const fs::path& root) {
     return paintings;
 }
 
-Recovered recover(const fs::path& folder, core::ThreadPool& pool,
-                  const std::function<void(double)>& progress) {
+Recovered recover(const fs::path& folder, core::ThreadPool& pool, const core::Progress& progress) {
     const JournalContent content = read_journal(folder);
     std::vector<std::string> faults;
     for (const Candidate& candidate : candidates(content)) {
@@ -304,7 +308,7 @@ Recovered recover(const fs::path& folder, core::ThreadPool& pool,
 }
 
 std::string recovered_thumbnail(const fs::path& folder, core::ThreadPool& pool,
-                                const std::function<void(double)>& progress) {
+                                const core::Progress& progress) {
     return project::thumbnail_file(recover(folder, pool, progress).painting, pool);
 }
 

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,7 +33,7 @@ std::vector<Unfinished> unfinished_paintings(const std::filesystem::path& root);
 
 /// The picture of what recover() gives, a PNG file as Unfinished::thumbnail is. Takes as long.
 std::string recovered_thumbnail(const std::filesystem::path& folder, core::ThreadPool& pool,
-                                const std::function<void(double)>& progress = {});
+                                const core::Progress& progress = {});
 
 struct Recovered : project::Project {
     std::string file{};                ///< path of its project file, empty for a painting that has none
@@ -46,6 +45,6 @@ struct Recovered : project::Project {
 /// damaged, as much as there is. `progress` gets the share that is done, 0 to 1. Throws InputError in
 /// one sentence when nothing can be had.
 Recovered recover(const std::filesystem::path& folder, core::ThreadPool& pool,
-                  const std::function<void(double)>& progress = {});
+                  const core::Progress& progress = {});
 
 }  // namespace pastoso::journal

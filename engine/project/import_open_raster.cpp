@@ -129,9 +129,9 @@ LoadedProject imported(const ZipReader& archive, const ImportSettings& settings,
 }  // namespace
 
 LoadedProject import_open_raster(const std::filesystem::path& path, const ImportSettings& settings,
-                                 core::ThreadPool& pool) {
-    const ZipReader archive(path);
-    if (archive.has(kIndexEntry)) return load_project(path, pool);
+                                 core::ThreadPool& pool, const core::Progress& progress) {
+    const ZipReader archive(path, progress);
+    if (archive.has(kIndexEntry)) return load_project(path, pool, progress);
     return imported(archive, settings, pool);
 }
 

@@ -14,7 +14,7 @@ namespace pastoso::project {
 /// Nothing that the file names is looked for outside it, and sizes are checked before anything is
 /// unpacked. Throws InputError "FILE, PLACE: ..." for a file that is damaged or too large.
 LoadedProject import_open_raster(const std::filesystem::path& path, const ImportSettings& settings,
-                                 core::ThreadPool& pool);
+                                 core::ThreadPool& pool, const core::Progress& progress = {});
 
 /// The same of a file in memory that is taken for another program's, whatever it holds; `name` stands
 /// for it in errors.

@@ -291,8 +291,9 @@ void add_sizes(const SurfaceIndex& surface, std::map<std::string, KindSize>& siz
 
 }  // namespace
 
-LoadedProject load_project(const std::filesystem::path& path, core::ThreadPool& pool) {
-    return loaded(ZipReader(path), pool);
+LoadedProject load_project(const std::filesystem::path& path, core::ThreadPool& pool,
+                           const core::Progress& progress) {
+    return loaded(ZipReader(path, progress), pool);
 }
 
 LoadedProject parse_project(std::span<const std::byte> file, const std::string& name,

@@ -82,8 +82,13 @@ Project PictureCanvas::take() {
 }
 
 LoadedProject import_picture(const std::filesystem::path& path, const ImportSettings& settings,
-                             core::ThreadPool& pool) {
+                             core::ThreadPool& pool, const core::Progress& progress) {
+    constexpr double kRead = 0.4, kCanvas = 0.6;  // of the whole, about
+    const auto tell = [&](double done) {
+        if (progress) progress(done);
+    };
     files::StoredPicture stored = files::read_picture(path);
+    tell(kRead);
     const CanvasSize size = canvas_size(stored.picture.width, stored.picture.height,
                                         {stored.width_mm, stored.height_mm}, settings.width_mm);
     document::CanvasSettings wanted = canvas_of(settings, size);
@@ -94,6 +99,7 @@ LoadedProject import_picture(const std::filesystem::path& path, const ImportSett
         return finished(canvas);
     }
     PictureCanvas canvas(wanted, pool);
+    tell(kCanvas);
     canvas.apply(paint_of_picture(std::move(stored.picture), path.stem().string(),
                                   {0.0, 0.0, size.width_mm, size.height_mm}, settings.px_per_mm));
     canvas.apply(document::RemoveLayer{1});

@@ -41,7 +41,7 @@ layers::PicturePlace fitted_place(int width_px, int height_px, const document::C
 /// (layers/flat_paint.hpp), or as the heights of the support itself. Throws InputError when the file is
 /// no image, or the canvas would be too large.
 LoadedProject import_picture(const std::filesystem::path& path, const ImportSettings& settings,
-                             core::ThreadPool& pool);
+                             core::ThreadPool& pool, const core::Progress& progress = {});
 
 /// Paints pictures and what belongs to them onto a new canvas, whose bare first layer makes way for
 /// theirs.

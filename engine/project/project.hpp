@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/output_file.hpp"
+#include "core/progress.hpp"
 #include "core/thread_pool.hpp"
 #include "document/events.hpp"
 #include "document/painting_state.hpp"
@@ -38,7 +39,8 @@ void save_project(const std::filesystem::path& path, const Project& project, cor
 /// The bare support is made anew from its name where nothing lies on it. Where a version of the program
 /// makes it otherwise, and where strokes cannot be read, the painting is loaded nevertheless, with a
 /// note.
-LoadedProject load_project(const std::filesystem::path& path, core::ThreadPool& pool);
+LoadedProject load_project(const std::filesystem::path& path, core::ThreadPool& pool,
+                           const core::Progress& progress = {});
 
 /// The same of a file in memory; `name` stands for it in errors.
 LoadedProject parse_project(std::span<const std::byte> file, const std::string& name,

@@ -206,11 +206,15 @@ struct ZipReader::Archive {
     project::Archive zip;
 };
 
-ZipReader::ZipReader(const std::filesystem::path& path) : name_(path.string()) {
+ZipReader::ZipReader(const std::filesystem::path& path, core::Progress progress)
+    : name_(path.string()), progress_(std::move(progress)) {
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source = zip_source_filep_create(stream_of(path), 0, -1, &error);
     archive_ = std::make_unique<Archive>(Archive{opened(source, name_, &error)});
+    std::error_code unknown;
+    file_bytes_ = std::filesystem::file_size(path, unknown);
+    if (unknown) file_bytes_ = 0;
 }
 
 ZipReader::ZipReader(std::span<const std::byte> archive, std::string name) : name_(std::move(name)) {
@@ -231,8 +235,15 @@ bool ZipReader::has(const std::string& entry) const {
     return zip_name_locate(archive_->zip.get(), entry.c_str(), 0) >= 0;
 }
 
+/// Before something is read: a work that is given up reads nothing more. The lock is held.
+void ZipReader::tell() const {
+    if (progress_ && file_bytes_ > 0)
+        progress_(std::min(1.0, static_cast<double>(read_bytes_) / static_cast<double>(file_bytes_)));
+}
+
 Bytes ZipReader::read(const std::string& entry, std::size_t most_bytes) const {
     const std::lock_guard lock(mutex_);
+    tell();
     zip_t* archive = archive_->zip.get();
     zip_stat_t stat;
     if (zip_stat(archive, entry.c_str(), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0)
@@ -250,6 +261,7 @@ Bytes ZipReader::read(const std::string& entry, std::size_t most_bytes) const {
     const bool ended = zip_fread(file.get(), &beyond, 1) == 0;
     if (count < 0 || static_cast<std::size_t>(count) != content.size() || !ended)
         fail(entry, "is damaged (" + text_of(zip_file_get_error(file.get())) + ").");
+    read_bytes_ += stat.comp_size;
     return content;
 }
 

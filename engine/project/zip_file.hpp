@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/output_file.hpp"
+#include "core/progress.hpp"
 #include "packing/packed_bytes.hpp"
 
 #include <cstdint>
@@ -44,12 +45,12 @@ class ZipWriter {
     std::vector<Entry> entries_;
 };
 
-/// Never writes anywhere; the names in an archive are compared and not used as paths. May be used by
-/// several threads, one of which reads at a time.
+/// Tells how much of the file has been read. Never writes anywhere; the names in an archive are compared
+/// and not used as paths. May be used by several threads, one of which reads at a time.
 class ZipReader {
   public:
     /// Throws InputError when the file cannot be opened or is no zip archive.
-    explicit ZipReader(const std::filesystem::path& path);
+    explicit ZipReader(const std::filesystem::path& path, core::Progress progress = {});
     /// The same of an archive in memory, which outlives the reader.
     ZipReader(std::span<const std::byte> archive, std::string name);
     ~ZipReader();
@@ -66,9 +67,14 @@ class ZipReader {
 
   private:
     struct Archive;
+    void tell() const;
+
     std::string name_;
     std::unique_ptr<Archive> archive_;
+    core::Progress progress_;
     mutable std::mutex mutex_;
+    mutable std::size_t read_bytes_ = 0;
+    std::size_t file_bytes_ = 0;
 };
 
 }  // namespace pastoso::project

@@ -2206,6 +2206,14 @@
         <source>Colours that this printer has not are grey</source>
         <translation>Colours that this printer has not are grey</translation>
     </message>
+    <message>
+        <source>Cance&amp;l opening</source>
+        <translation>Cance&amp;l opening</translation>
+    </message>
+    <message>
+        <source>Give up what is being opened or made; the painting on the easel stays</source>
+        <translation>Give up what is being opened or made; the painting on the easel stays</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -4455,10 +4463,6 @@
         <source>Leave it</source>
         <translation>Leave it</translation>
     </message>
-    <message>
-        <source>Open</source>
-        <translation>Open</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
@@ -4632,6 +4636,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::Loading</name>
+    <message>
+        <source>%1: given up; all is as it was.</source>
+        <translation>%1: given up; all is as it was.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancel</translation>
+    </message>
+    <message>
+        <source>%1: wait for it, or cancel it.</source>
+        <translation>%1: wait for it, or cancel it.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -4717,6 +4736,10 @@
         <source>Pictures (%1);;All files (*)</source>
         <translation>Pictures (%1);;All files (*)</translation>
     </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Reading %1</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::PopupCommands</name>
@@ -4742,10 +4765,6 @@
     <message>
         <source>Save</source>
         <translation>Save</translation>
-    </message>
-    <message>
-        <source>New canvas</source>
-        <translation>New canvas</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -4790,10 +4809,6 @@
     <message>
         <source>Discard them</source>
         <translation>Discard them</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Recover</translation>
     </message>
     <message>
         <source>Painted from its strokes; the brush is yours when it is done.</source>
@@ -4848,8 +4863,20 @@
         <translation>%1 - %2</translation>
     </message>
     <message>
-        <source>Paint it again</source>
-        <translation>Paint it again</translation>
+        <source>Opening %1</source>
+        <translation>Opening %1</translation>
+    </message>
+    <message>
+        <source>Making the canvas</source>
+        <translation>Making the canvas</translation>
+    </message>
+    <message>
+        <source>Putting it on the easel</source>
+        <translation>Putting it on the easel</translation>
+    </message>
+    <message>
+        <source>Recovering the painting</source>
+        <translation>Recovering the painting</translation>
     </message>
 </context>
 <context>
@@ -5183,6 +5210,10 @@
     <message>
         <source>Pictures (%1);;All files (*)</source>
         <translation>Pictures (%1);;All files (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Reading %1</translation>
     </message>
 </context>
 <context>

@@ -2206,6 +2206,14 @@
         <source>Colours that this printer has not are grey</source>
         <translation>このプリンターで出せない色を灰色にします</translation>
     </message>
+    <message>
+        <source>Cance&amp;l opening</source>
+        <translation>開くのをやめる(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Give up what is being opened or made; the painting on the easel stays</source>
+        <translation>開いている、または作っているものをやめる。イーゼルの絵はそのまま</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -4447,10 +4455,6 @@
         <source>Leave it</source>
         <translation>そのままにする</translation>
     </message>
-    <message>
-        <source>Open</source>
-        <translation>開く</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
@@ -4622,6 +4626,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::Loading</name>
+    <message>
+        <source>%1: given up; all is as it was.</source>
+        <translation>%1：中止しました。すべて元のままです。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>%1: wait for it, or cancel it.</source>
+        <translation>%1：終わるのを待つか、中止してください。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -4707,6 +4726,10 @@
         <source>Pictures (%1);;All files (*)</source>
         <translation>画像 (%1);;すべてのファイル (*)</translation>
     </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 を読み込み中</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::PopupCommands</name>
@@ -4732,10 +4755,6 @@
     <message>
         <source>Save</source>
         <translation>保存</translation>
-    </message>
-    <message>
-        <source>New canvas</source>
-        <translation>新規キャンバス</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -4780,10 +4799,6 @@
     <message>
         <source>Discard them</source>
         <translation>変更を破棄</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>復元</translation>
     </message>
     <message>
         <source>Painted from its strokes; the brush is yours when it is done.</source>
@@ -4838,8 +4853,20 @@
         <translation>%1 - %2</translation>
     </message>
     <message>
-        <source>Paint it again</source>
-        <translation>再描画</translation>
+        <source>Opening %1</source>
+        <translation>%1 を開いています</translation>
+    </message>
+    <message>
+        <source>Making the canvas</source>
+        <translation>キャンバスを作成中</translation>
+    </message>
+    <message>
+        <source>Putting it on the easel</source>
+        <translation>イーゼルに載せています</translation>
+    </message>
+    <message>
+        <source>Recovering the painting</source>
+        <translation>絵を復元中</translation>
     </message>
 </context>
 <context>
@@ -5168,6 +5195,10 @@
     <message>
         <source>Pictures (%1);;All files (*)</source>
         <translation>画像 (%1);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 を読み込み中</translation>
     </message>
 </context>
 <context>

@@ -2206,6 +2206,14 @@
         <source>Colours that this printer has not are grey</source>
         <translation>Färger som den skrivaren inte har är grå</translation>
     </message>
+    <message>
+        <source>Cance&amp;l opening</source>
+        <translation>Avbryt ö&amp;ppningen</translation>
+    </message>
+    <message>
+        <source>Give up what is being opened or made; the painting on the easel stays</source>
+        <translation>Ge upp det som öppnas eller görs; målningen på staffliet stannar kvar</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -4455,10 +4463,6 @@
         <source>Leave it</source>
         <translation>Låt bli</translation>
     </message>
-    <message>
-        <source>Open</source>
-        <translation>Öppna</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
@@ -4632,6 +4636,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::Loading</name>
+    <message>
+        <source>%1: given up; all is as it was.</source>
+        <translation>%1: avbrutet; allt är som det var.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>%1: wait for it, or cancel it.</source>
+        <translation>%1: vänta på det, eller avbryt det.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -4717,6 +4736,10 @@
         <source>Pictures (%1);;All files (*)</source>
         <translation>Bilder (%1);;Alla filer (*)</translation>
     </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Läser %1</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::PopupCommands</name>
@@ -4742,10 +4765,6 @@
     <message>
         <source>Save</source>
         <translation>Spara</translation>
-    </message>
-    <message>
-        <source>New canvas</source>
-        <translation>Ny duk</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -4790,10 +4809,6 @@
     <message>
         <source>Discard them</source>
         <translation>Kasta dem</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Återskapa</translation>
     </message>
     <message>
         <source>Painted from its strokes; the brush is yours when it is done.</source>
@@ -4848,8 +4863,20 @@
         <translation>%1 - %2</translation>
     </message>
     <message>
-        <source>Paint it again</source>
-        <translation>Måla om det</translation>
+        <source>Opening %1</source>
+        <translation>Öppnar %1</translation>
+    </message>
+    <message>
+        <source>Making the canvas</source>
+        <translation>Gör duken</translation>
+    </message>
+    <message>
+        <source>Putting it on the easel</source>
+        <translation>Ställer den på staffliet</translation>
+    </message>
+    <message>
+        <source>Recovering the painting</source>
+        <translation>Återställer målningen</translation>
     </message>
 </context>
 <context>
@@ -5183,6 +5210,10 @@
     <message>
         <source>Pictures (%1);;All files (*)</source>
         <translation>Bilder (%1);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Läser %1</translation>
     </message>
 </context>
 <context>

@@ -2206,6 +2206,14 @@
         <source>Colours that this printer has not are grey</source>
         <translation>這部印表機印不出的顏色顯示為灰色</translation>
     </message>
+    <message>
+        <source>Cance&amp;l opening</source>
+        <translation>取消開啟(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Give up what is being opened or made; the painting on the easel stays</source>
+        <translation>放棄正在開啟或製作的內容；畫架上的畫保持不變</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -4447,10 +4455,6 @@
         <source>Leave it</source>
         <translation>保持原狀</translation>
     </message>
-    <message>
-        <source>Open</source>
-        <translation>開啟</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
@@ -4622,6 +4626,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::Loading</name>
+    <message>
+        <source>%1: given up; all is as it was.</source>
+        <translation>%1：已放棄；一切維持原狀。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1: wait for it, or cancel it.</source>
+        <translation>%1：請等它完成，或取消。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -4707,6 +4726,10 @@
         <source>Pictures (%1);;All files (*)</source>
         <translation>圖片 (%1);;所有檔案 (*)</translation>
     </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在讀取 %1</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::PopupCommands</name>
@@ -4732,10 +4755,6 @@
     <message>
         <source>Save</source>
         <translation>儲存</translation>
-    </message>
-    <message>
-        <source>New canvas</source>
-        <translation>新增畫布</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -4780,10 +4799,6 @@
     <message>
         <source>Discard them</source>
         <translation>捨棄變更</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>救回</translation>
     </message>
     <message>
         <source>Painted from its strokes; the brush is yours when it is done.</source>
@@ -4838,8 +4853,20 @@
         <translation>%1 - %2</translation>
     </message>
     <message>
-        <source>Paint it again</source>
-        <translation>重新繪製</translation>
+        <source>Opening %1</source>
+        <translation>正在開啟 %1</translation>
+    </message>
+    <message>
+        <source>Making the canvas</source>
+        <translation>正在製作畫布</translation>
+    </message>
+    <message>
+        <source>Putting it on the easel</source>
+        <translation>正在放上畫架</translation>
+    </message>
+    <message>
+        <source>Recovering the painting</source>
+        <translation>正在復原畫作</translation>
     </message>
 </context>
 <context>
@@ -5168,6 +5195,10 @@
     <message>
         <source>Pictures (%1);;All files (*)</source>
         <translation>圖片 (%1);;所有檔案 (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在讀取 %1</translation>
     </message>
 </context>
 <context>

@@ -156,6 +156,7 @@ TEST_F(CanvasSize, WhatIsTooLargeSaysSo) {
     document::CanvasSettings fine = canvas_settings();
     fine.px_per_mm = 16.0;
     parts().files.new_canvas(fine);
+    loaded();
     settle();
     in_dialog([&](dialogs::CanvasSizeDialog& dialog) {
         box(dialog, "width_mm").setValue(5000.0);
@@ -195,11 +196,13 @@ TEST_F(CanvasSize, AnotherPaintingIsNoCanvasThatWasCut) {
     ASSERT_NE(studio().easel().hand().ruler, ruler);
     const brush::Ruler moved = *studio().easel().hand().ruler;
     parts().files.new_canvas(canvas_settings());
+    loaded();
     settle();
     EXPECT_EQ(studio().easel().hand().ruler, moved);
     give(Command::FitCanvas);
     const screen::ViewTransform fitted = canvas().view_transform();
     parts().files.new_canvas({.width_mm = 40.0, .height_mm = 40.0});
+    loaded();
     settle();
     EXPECT_NE(canvas().view_transform(), fitted) << "it is shown whole";
 }

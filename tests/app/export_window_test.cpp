@@ -117,7 +117,10 @@ class ExportWindow : public WindowTest {
         settings.scale = 64.0;
         return settings;
     }
-    QProgressBar& bar() { return *window().findChild<QProgressBar*>(QStringLiteral("work_done")); }
+    QWidget& progress() {
+        return *window().findChild<panels::WorkProgress*>(QStringLiteral("export_progress"));
+    }
+    QProgressBar& bar() { return *progress().findChild<QProgressBar*>(QStringLiteral("work_done")); }
 
     /// Answers the next message box by the button with these words, and keeps what it said.
     void answer_box(const char* words) {
@@ -279,6 +282,7 @@ TEST_F(ExportWindow, VideosAreThereWhereFfmpegIs) {
 
 TEST_F(ExportWindow, ATimeLapseOfNothingIsNotMade) {
     parts().files.new_canvas(canvas_settings());
+    loaded();
     open();
     choose(ExportForm::Timelapse);
     type_name(path("film").string());
@@ -336,7 +340,7 @@ TEST_F(ExportWindow, PaintingGoesOnWhileAnExportIsWritten) {
     core::write_text_file(path("a.png"), "old");
     parts().exporting.start(large_picture(), path("a.png"));
     EXPECT_TRUE(action(Command::StopExport)->isEnabled());
-    EXPECT_TRUE(window().findChild<panels::WorkProgress*>()->isVisible());
+    EXPECT_TRUE(progress().isVisible());
     const double volume = volume_mm3();
     stroke(10.0);
     EXPECT_GT(volume_mm3(), volume);
@@ -344,11 +348,11 @@ TEST_F(ExportWindow, PaintingGoesOnWhileAnExportIsWritten) {
     action(Command::Export)->trigger();
     EXPECT_EQ(dialog(), nullptr);
     EXPECT_EQ(told(), "a.png is still being written; wait for it, or stop it.");
-    QTest::mouseClick(window().findChild<QToolButton*>(QStringLiteral("stop_work")), Qt::LeftButton);
+    QTest::mouseClick(progress().findChild<QToolButton*>(QStringLiteral("stop_work")), Qt::LeftButton);
     wait();
     EXPECT_EQ(text("a.png"), "old");
     EXPECT_EQ(told(), "Stopped; a.png was not written.");
-    EXPECT_FALSE(window().findChild<panels::WorkProgress*>()->isVisible());
+    EXPECT_FALSE(progress().isVisible());
     EXPECT_FALSE(action(Command::StopExport)->isEnabled());
 }
 
@@ -411,6 +415,7 @@ TEST_F(ExportWindow, ExportAgainNeedsNoDialog) {
     EXPECT_EQ(ok().text().toStdString(), "Replace");
     cancel();
     parts().files.new_canvas(canvas_settings());
+    loaded();
     EXPECT_FALSE(action(Command::ExportAgain)->isEnabled()) << "that was another painting";
     open();
     EXPECT_EQ(name(), path("painting.png").string()) << "beside the last one";

@@ -172,6 +172,7 @@ TEST_F(Guides, AnotherCanvasKeepsTheMirrorInItsOwnMiddle) {
     document::CanvasSettings other = canvas_settings();
     other.width_mm = 40.0;
     parts().files.new_canvas(other);
+    loaded();
     settle();
     EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 20.0);
     mouse_stroke(line_mm({6.0, 12.0}, {6.0, 28.0}));

@@ -368,6 +368,7 @@ TEST_F(LayersWindow, PicturesShowThePaintOfEachLayer) {
 TEST_F(LayersWindow, ThePanelIsRememberedAndTakesUpAnotherCanvas) {
     give(Command::AddLayer);
     parts().files.new_canvas(canvas_settings());
+    loaded();
     follow();
     EXPECT_THAT(names_from_below(), ElementsAre("Paint"));
     const auto dock = [this] {

@@ -154,7 +154,13 @@ TEST_F(MessageWindow, AFileThatCannotBeReadIsToldInTheWindow) {
         SCOPED_TRACE(file.string());
         log().solve(Matter::Opening);
         const auto painting = session().snapshot();
-        const std::string fault = window().open_file(file);
+        std::string fault;
+        const auto telling =
+            QObject::connect(&parts().loading, &main::Loading::failed, &window(),
+                             [&](const QString& sentence) { fault = sentence.toStdString(); });
+        window().open_file(file);
+        loaded();
+        QObject::disconnect(telling);
         EXPECT_THAT(fault, HasSubstr(file.filename().string().substr(0, 20)));
         EXPECT_THAT(fault, Not(HasSubstr("filesystem error")));
         EXPECT_THAT(listed(), HasSubstr(fault));

@@ -60,6 +60,7 @@ TEST_F(ProjectWindow, APaintingIsSavedAndOpenedAsItWas) {
     EXPECT_NE(state(), saved);
 
     parts().files.open_painting(QString::fromStdString(path("a.pastoso")));
+    loaded();
     settle();
     EXPECT_EQ(state(), saved);
     EXPECT_FALSE(window().isWindowModified());
@@ -73,8 +74,11 @@ TEST_F(ProjectWindow, AFileThatIsNoneLeavesThePaintingOnTheEasel) {
     settle();
     const std::uint64_t before = state();
     core::write_text_file(path("bad.pastoso"), "nothing");
-    EXPECT_THROW(parts().files.open_painting(QString::fromStdString(path("bad.pastoso"))),
-                 core::InputError);
+    parts().files.open_painting(QString::fromStdString(path("bad.pastoso")));
+    loaded();
+    ASSERT_THAT(studio().messages().standing(), testing::SizeIs(1));
+    EXPECT_THAT(studio().messages().standing()[0].sentence.toStdString(),
+                testing::HasSubstr("bad.pastoso"));
     EXPECT_EQ(state(), before);
     EXPECT_TRUE(window().isWindowModified());
     EXPECT_THAT(window().windowTitle().toStdString(), testing::StartsWith("Canvas[*] "));
@@ -83,6 +87,7 @@ TEST_F(ProjectWindow, AFileThatIsNoneLeavesThePaintingOnTheEasel) {
 TEST_F(ProjectWindow, AnotherCanvasIsNotThatFileAnyMore) {
     save("a.pastoso");
     parts().files.new_canvas(session().canvas());
+    loaded();
     EXPECT_THAT(window().windowTitle().toStdString(), testing::StartsWith("Canvas[*] "));
 }
 

@@ -74,6 +74,7 @@ TEST_F(RecorderWindow, APaintingThatIsOpenedBringsItsStrokes) {
     parts().files.save_painting(path);
     ASSERT_TRUE(parts().files.saver().wait().isEmpty());
     parts().files.open_painting(path);
+    loaded();
     mouse_stroke(line_mm({12.0, 20.0}, {48.0, 20.0}));
     session().wait_until_applied();
     wait_for([this] { return find<QLabel>("recorded_strokes").text() == QStringLiteral("3"); });

@@ -45,6 +45,7 @@ TEST_F(RecoveryWindow, APaintingThatWasNotClosedComesBack) {
     pause();
     ASSERT_THAT(unfinished(), SizeIs(1));
     parts().files.recover_painting(unfinished()[0].folder);
+    loaded();
     settle();
     EXPECT_EQ(state(), painted);
     EXPECT_TRUE(window().isWindowModified());

@@ -115,6 +115,7 @@ TEST_F(SavingWindow, AnErrorOfOnePaintingDoesNotBlameTheNext) {
     paint();
     begin_saving(path("missing") / "b.pastoso");
     parts().files.new_canvas(session().canvas());
+    loaded();
     settle();
     answer("Cancel");
     EXPECT_TRUE(parts().files.may_discard()) << asked_;
@@ -242,6 +243,7 @@ TEST_F(SavingWindow, AJournalThatCannotBeginBeginsOnceItCan) {
     fs::rename(root, path("kept"));
     core::write_text_file(root, "in the way");
     parts().files.open_painting(QString::fromStdString(path("a.pastoso").string()));
+    loaded();
     settle();
     EXPECT_FALSE(session().has_journal());
     EXPECT_THAT(standing(Matter::Journal), HasSubstr("would be lost"));

@@ -343,9 +343,11 @@ TEST_F(SelectionWindow, ASavedSelectionIsThereAgain) {
     parts().files.save_painting(path);
     EXPECT_EQ(parts().files.saver().wait(), "");
     parts().files.new_canvas(canvas_settings());
+    loaded();
     settle();
     EXPECT_EQ(reading(), "");
     parts().files.open_painting(path);
+    loaded();
     settle();
     EXPECT_EQ(reading(), "25 % selected");
     EXPECT_TRUE(selected(20.0, 20.0));

@@ -41,6 +41,7 @@ class TracingWindow : public WindowTest {
     std::filesystem::path path() const { return folder.path() / "photo.png"; }
     void trace() {
         parts().tracing.trace_picture(QString::fromStdString(path().string()));
+        loaded();
         settle();
     }
     auto tracing() {
@@ -182,6 +183,7 @@ TEST_F(TracingWindow, ComesBackWithThePaintingAndGoesWhenTakenAway) {
     EXPECT_EQ(tracing(), nullptr);
     EXPECT_FALSE(action(Command::FitTracing)->isEnabled());
     parts().files.open_painting(file);
+    loaded();
     settle();
     ASSERT_TRUE(tracing());
     EXPECT_EQ(*tracing(), *before);
@@ -190,8 +192,11 @@ TEST_F(TracingWindow, ComesBackWithThePaintingAndGoesWhenTakenAway) {
 
 TEST_F(TracingWindow, WhatIsNoPictureIsToldAndNothingChanges) {
     core::write_text_file(path(), "none");
-    EXPECT_THROW(parts().tracing.trace_picture(QString::fromStdString(path().string())),
-                 core::InputError);
+    parts().tracing.trace_picture(QString::fromStdString(path().string()));
+    loaded();
+    ASSERT_THAT(studio().messages().standing(), testing::SizeIs(1));
+    EXPECT_THAT(studio().messages().standing()[0].sentence.toStdString(),
+                testing::HasSubstr("photo.png"));
     EXPECT_EQ(tracing(), nullptr);
 }
 

@@ -303,6 +303,7 @@ TEST_F(TransformWindow, OtherDeedsEndTheFrameAndLeaveThePaint) {
     give(Command::Pause);
     drag_frame();
     parts().files.new_canvas(canvas_settings());
+    loaded();
     EXPECT_FALSE(frame().has_value());
     EXPECT_EQ(dialog(), nullptr);
 }

@@ -4,6 +4,7 @@
 #include "graphics/opengl_support.hpp"
 #include "main/program/application.hpp"
 #include "main/program/language.hpp"
+#include "main/window_parts.hpp"
 #include "patience.hpp"
 
 #include <algorithm>
@@ -217,6 +218,10 @@ void WindowTest::pen_stroke_at_once(const std::vector<glm::dvec2>& path_mm, cons
                  down ? Qt::LeftButton : Qt::NoButton, pen, start_ms + sample_ms * i);
     }
     QApplication::processEvents();
+}
+
+void WindowTest::loaded() {
+    wait_for([this] { return !parts().loading.busy(); });
 }
 
 void WindowTest::wait_for(const std::function<bool()>& condition) {

@@ -57,6 +57,9 @@ class WindowTest : public ::testing::Test {
     /// The same until the window of this widget stands on the screen.
     void wait_until_shown(QWidget& widget);
 
+    /// Until what is being opened or made stands on the easel, or came to nothing.
+    void loaded();
+
     /// Until everything posted is applied and the canvas shows it.
     void settle();
 

@@ -273,6 +273,28 @@ TEST_F(ProjectRoundTrip, TheBrushThatLiesAsideIsSavedWithItsPaint) {
     EXPECT_EQ(opened.state_hash(), painting.state_hash());
 }
 
+TEST_F(ProjectRoundTrip, LoadingTellsHowFarItIsAndEndsWithWhatThatThrows) {
+    const Project project = busy_project(pool);
+    save_project(folder / "a.pastoso", project, pool);
+    std::vector<double> shares;
+    const LoadedProject loaded =
+        load_project(folder / "a.pastoso", pool, [&](double done) { shares.push_back(done); });
+    EXPECT_EQ(document::state_hash(loaded.painting), document::state_hash(project.painting));
+    ASSERT_GT(shares.size(), 10U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.front(), 0.0);
+    EXPECT_GT(shares.back(), 0.5);
+    EXPECT_LE(shares.back(), 1.0);
+    // At any moment, in the middle of the tiles, too.
+    for (std::size_t last = 0; last < shares.size(); ++last) {
+        std::size_t told = 0;
+        const auto give_up = [&](double) {
+            if (told++ >= last) throw core::GivenUp();
+        };
+        EXPECT_THROW(load_project(folder / "a.pastoso", pool, give_up), core::GivenUp) << last;
+    }
+}
+
 TEST_F(ProjectRoundTrip, AHeightImageIsNotNeededAgain) {
     files::write_image(folder / "bumps.tif",
                        pigment::Image8{3, 2,

@@ -36,6 +36,11 @@ void pass_time() {
     QTest::qWait(kMoment_ms);
 }
 
+void wait_for_painting(main::MainWindow& window) {
+    if (!QTest::qWaitFor([&] { return !window.parts().loading.busy(); }, kPatience_ms))
+        std::fprintf(stderr, "The painting is still opened.\n");
+}
+
 QPixmap with(QPixmap below, const QWidget& ground, QWidget& above) {
     QPainter painter(&below);
     painter.drawPixmap(ground.mapFromGlobal(above.mapToGlobal(QPoint(0, 0))), above.grab());

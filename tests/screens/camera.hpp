@@ -61,6 +61,9 @@ bool wait_for(const std::function<bool()>& condition);
 /// Lets the window do what it does by itself for a moment.
 void pass_time();
 
+/// Until what is being opened or made stands on the easel.
+void wait_for_painting(main::MainWindow& window);
+
 /// A picture of what lies over a window put where it lies in one of the window.
 QPixmap with(QPixmap below, const QWidget& ground, QWidget& above);
 

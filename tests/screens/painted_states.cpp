@@ -140,8 +140,10 @@ void take_accidents(Camera& camera) {
 void take_fresh_canvas(Camera& camera, const QString& traced) {
     main::MainWindow& window = camera.window();
     window.parts().files.new_canvas(document::CanvasSettings{});
+    wait_for_painting(window);
     const glm::dvec2 size_mm = window.studio().canvas().canvas_size_mm();
     window.parts().tracing.trace_picture(traced);
+    wait_for_painting(window);
     window.studio().easel().choose_paint({{{"PR108", 1.0}}, 1.0});
     stroke(window.studio().easel(), document::Surface::Canvas, size_mm, {0.2, 0.3}, {0.7, 0.35});
     camera.take_canvas(QStringLiteral("tracing"));
@@ -166,6 +168,7 @@ QPixmap foreign_window(const QString& language, const QString& painting) {
     window.show();
     window.studio().commands().action(Command::Pause)->setChecked(true);
     window.parts().files.open_painting(painting);
+    wait_for_painting(window);
     Camera camera(window, {});
     pass_time();
     return camera.look().copy(0, 0, 460, 460);

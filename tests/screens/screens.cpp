@@ -33,6 +33,7 @@ bool take_all(const QString& painting, const QString& folder) {
     if (!QTest::qWaitForWindowExposed(&window)) return false;
     window.studio().commands().action(commands::Command::Pause)->setChecked(true);
     window.parts().files.open_painting(painting);
+    screens::wait_for_painting(window);
     // Its outline is in no picture.
     QCursor::setPos(window.mapToGlobal(QPoint(window.width(), window.height())) + QPoint(40, 40));
     screens::pass_time();

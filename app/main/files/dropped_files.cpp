@@ -70,9 +70,8 @@ void DroppedFiles::ask_about_picture(const QString& path, const QPoint& screen_p
     auto* menu = new QMenu(&studio_.window());
     menu->setObjectName(QStringLiteral("dropped_picture"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    const auto add = [&](const QString& words, std::function<void()> work) {
-        menu->addAction(words, this,
-                        [this, work = std::move(work)] { studio_.attempt(tr("Open"), work); });
+    const auto add = [&](const QString& words, const std::function<void()>& work) {
+        menu->addAction(words, this, work);
     };
     add(tr("Put it on a &layer, as dry paint"), [this, path] { pictures_.paint_picture(path); });
     add(tr("&Trace it, below the paint"), [this, path] { tracing_.trace_picture(path); });

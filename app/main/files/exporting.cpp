@@ -100,6 +100,7 @@ Exporting::Exporting(Studio& studio, const ProjectFiles& files, const LightChoic
     studio_.commands().on(Command::SaveRecording, [this](bool) { ask_save_recording(); });
     studio_.commands().action(Command::StopExport)->setIconText(tr("Stop"));
     progress_ = new panels::WorkProgress(studio_.commands().action(Command::StopExport));
+    progress_->setObjectName(QStringLiteral("export_progress"));
     studio_.window().statusBar()->insertPermanentWidget(0, progress_);
     connect(&exporter_, &commands::Exporter::progressed, progress_, &panels::WorkProgress::show_done);
     connect(&exporter_, &commands::Exporter::finished, this, &Exporting::end);

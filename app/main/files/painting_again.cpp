@@ -105,7 +105,9 @@ void PaintingAgain::stop() {
 void PaintingAgain::put_up(const Painted& painted) {
     if (QGuiApplication::modalWindow() != nullptr)
         return window()->tell(tr("Another question is open; answer it first."));
-    if (files_.ask_to_put_up_unsaved(painted) && window() != nullptr) window()->let_go();
+    files_.ask_to_put_up_unsaved(painted, [this] {
+        if (window() != nullptr) window()->let_go();
+    });
 }
 
 void PaintingAgain::ask_save(const Painted& painted) {

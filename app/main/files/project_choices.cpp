@@ -2,7 +2,6 @@
 // easel.
 
 #include "main/files/project_files.hpp"
-#include "main/wait_cursor.hpp"
 #include "recordings/recording_json.hpp"
 
 #include <QAction>
@@ -23,9 +22,34 @@ tools::Hand hand_at_first(tools::Hand hand) {
 
 }  // namespace
 
-void ProjectFiles::watch(const document::Recording& recording) {
+void ProjectFiles::replay(const document::Recording& recording) {
+    const auto play = [this, recording] {
+        studio_.session().play(recording.events);
+        studio_.easel().lend_brush(true);
+        studio_.easel().adopt(tools::hand_after(studio_.easel().hand(), recording.events));
+        studio_.show_hand();
+        tell_arithmetic(recording);
+    };
+    if (recording.canvas == studio_.session().canvas()) return play();
+    new_canvas(recording.canvas, play);
+}
+
+void ProjectFiles::replay_file(const std::filesystem::path& recording) {
+    const QString name = QString::fromStdString(recording.filename().string());
+    make(tr("Opening %1").arg(name), [this, recording, terms = journal_terms()](const auto&) {
+        const document::Recording read = recordings::read_recording_json(recording);
+        const auto painting =
+            std::make_shared<PreparedPainting>(bare_painting(read.canvas), journal::Beginning{}, terms);
+        return [this, read, painting] {
+            put_up_new(*painting);
+            replay(read);
+        };
+    });
+}
+
+void ProjectFiles::put_up_watched(PreparedPainting& painting, const document::Recording& recording) {
     const tools::Hand after = tools::hand_after(hand_at_first(studio_.easel().hand()), recording.events);
-    start(recording.canvas);
+    put_up(painting);
     std::vector<document::Event> events = recording.events;
     const std::int64_t end = events.empty() ? 0 : events.back().tick;
     events.push_back({end, document::SetStabiliser{after.stabiliser}});
@@ -41,34 +65,33 @@ void ProjectFiles::watch(const document::Recording& recording) {
 }
 
 void ProjectFiles::ask_to_put_up(const document::CanvasSettings& canvas) {
-    if (may_discard()) studio_.attempt(tr("New canvas"), [&] { new_canvas(canvas); });
+    if (may_discard()) new_canvas(canvas);
 }
 
-bool ProjectFiles::ask_to_put_up_unsaved(std::shared_ptr<const project::Project> project) {
-    if (!may_discard()) return false;
-    return studio_.attempt(tr("Paint it again"), [&] {
-        const WaitCursor waiting;
-        put_up_unsaved(std::move(project));
-    });
+void ProjectFiles::ask_to_put_up_unsaved(std::shared_ptr<const project::Project> project,
+                                         const Then& then) {
+    if (may_discard()) put_up_unsaved(std::move(project), then);
 }
 
 void ProjectFiles::ask_to_open(const QString& path) {
-    if (may_discard()) try_to_open(path);
+    if (may_discard()) open_painting(path);
 }
 
 void ProjectFiles::ask_to_recover(const std::filesystem::path& journal) {
-    if (!may_discard()) return;
-    studio_.attempt(tr("Recover"), [&] {
-        const WaitCursor waiting;
-        recover_painting(journal);
-    });
+    if (may_discard()) recover_painting(journal);
 }
 
 void ProjectFiles::ask_to_watch(const std::filesystem::path& recording) {
     if (!may_discard()) return;
-    studio_.attempt(tr("Open"), [&] {
-        watch(recordings::read_recording_json(recording));
-        studio_.report(tr("Painted from its strokes; the brush is yours when it is done."));
+    const QString name = QString::fromStdString(recording.filename().string());
+    make(tr("Opening %1").arg(name), [this, recording, terms = journal_terms()](const auto&) {
+        const document::Recording read = recordings::read_recording_json(recording);
+        const auto painting =
+            std::make_shared<PreparedPainting>(bare_painting(read.canvas), journal::Beginning{}, terms);
+        return [this, read, painting] {
+            put_up_watched(*painting, read);
+            studio_.report(tr("Painted from its strokes; the brush is yours when it is done."));
+        };
     });
 }
 

@@ -5,10 +5,8 @@
 #include "dialogs/new_canvas_dialog.hpp"
 #include "main/files/journal_starts.hpp"
 #include "main/files/picture_files.hpp"
-#include "main/wait_cursor.hpp"
 #include "project/import_open_raster.hpp"
 #include "project/project.hpp"
-#include "recordings/canvas_support.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -25,15 +23,43 @@ namespace {
 
 using commands::Command;
 
-project::LoadedProject imported(const std::filesystem::path& path, core::ThreadPool& pool) {
-    return project::is_open_raster_path(path) ? project::import_open_raster(path, {}, pool)
-                                              : project::import_picture(path, {}, pool);
+project::LoadedProject imported(const std::filesystem::path& path, core::ThreadPool& pool,
+                                const core::Progress& progress) {
+    return project::is_open_raster_path(path) ? project::import_open_raster(path, {}, pool, progress)
+                                              : project::import_picture(path, {}, pool, progress);
+}
+
+/// A project file's painting.
+struct OpenedPainting {
+    std::optional<commands::FileStamp> stamp;
+    std::vector<std::string> notes;
+    SharedPainting painting;
+};
+
+OpenedPainting opened(const std::filesystem::path& file, const JournalTerms& terms,
+                      const core::Progress& progress) {
+    auto pool = std::make_unique<core::ThreadPool>();
+    const auto stamp = commands::stamp_of(file);
+    project::LoadedProject project = project::load_project(file, *pool, progress);
+    MadePainting made = made_of(project.painting, std::move(project.strokes), std::move(pool));
+    return {stamp, std::move(project.notes),
+            std::make_shared<PreparedPainting>(
+                std::move(made), journal::Beginning{.painting = file, .write_start = copied_start(file)},
+                terms)};
+}
+
+/// What stands in no project.
+SharedPainting unsaved(const std::shared_ptr<const project::Project>& project,
+                       const JournalTerms& terms) {
+    return std::make_shared<PreparedPainting>(
+        made_of(project->painting, project->strokes, std::make_unique<core::ThreadPool>()),
+        journal::Beginning{.write_start = saved_start(project), .is_saved = false}, terms);
 }
 
 }  // namespace
 
-ProjectFiles::ProjectFiles(Studio& studio, bool keeps_journal)
-    : studio_(studio), keeps_journal_(keeps_journal) {
+ProjectFiles::ProjectFiles(Studio& studio, Loading& loading, bool keeps_journal)
+    : studio_(studio), loading_(loading), keeps_journal_(keeps_journal) {
     studio_.commands().on(Command::NewCanvas, [this](bool) { ask_new_canvas(); });
     studio_.commands().on(Command::OpenPainting, [this](bool) { ask_open_painting(); });
     studio_.commands().on(Command::SavePainting, [this](bool) { save(); });
@@ -52,24 +78,37 @@ ProjectFiles::ProjectFiles(Studio& studio, bool keeps_journal)
 }
 
 void ProjectFiles::start(const document::CanvasSettings& canvas) {
-    auto pool = std::make_unique<core::ThreadPool>();
-    auto painting = recordings::make_painting(canvas, *pool);
-    start(std::move(pool), std::move(painting), {}, {.canvas = canvas});
+    PreparedPainting painting(bare_painting(canvas), {}, journal_terms());
+    put_up(painting);
 }
 
-void ProjectFiles::start(std::unique_ptr<core::ThreadPool> pool,
-                         std::unique_ptr<document::Painting> painting, document::Recording past,
-                         journal::Beginning beginning) {
-    beginning.canvas = painting->settings();
-    beginning.tick = painting->tick();
-    const session::PaintSession::BeginJournal begin_journal = journal_for(beginning);
-    std::unique_ptr<journal::JournalWriter> journal = begun_journal(begin_journal);
-    studio_.put_up(std::move(pool), std::move(painting), std::move(past), std::move(journal),
-                   begin_journal);
+/// What was painted while the other one was made nobody has agreed to lose.
+void ProjectFiles::make(const QString& words, Loading::Make work) {
+    studio_.session().wait_until_applied();
+    given_up_changes_ = studio_.session().status().changes;
+    loading_.replace(words, [this, work = std::move(work)](const core::Progress& progress) {
+        return Loading::TakeOver([this, take_over = work(progress)] {
+            if (may_replace()) take_over();
+        });
+    });
+}
+
+bool ProjectFiles::may_replace() {
+    studio_.session().wait_until_applied();
+    return studio_.session().status().changes == given_up_changes_ || may_discard();
+}
+
+void ProjectFiles::put_up(PreparedPainting& painting) {
+    studio_.messages().solve(panels::Matter::Journal);
+    journal_ = painting.journal_number;
+    if (!painting.journal_fault.empty()) show_trouble({.reason = painting.journal_fault});
+    MadePainting& made = painting.made;
+    studio_.put_up(std::move(made.pool), std::move(made.painting), std::move(made.past),
+                   std::move(painting.journal), std::move(painting.begin_journal));
     saving_.reset();
     path_.clear();
     stamp_.reset();
-    saved_changes_ = 0;
+    saved_changes_ = given_up_changes_ = 0;
     watched_ = false;
     show_title();
 }
@@ -80,12 +119,21 @@ void ProjectFiles::ask_new_canvas() {
     if (dialog.exec() == QDialog::Accepted) ask_to_put_up(dialog.settings());
 }
 
+void ProjectFiles::new_canvas(const document::CanvasSettings& canvas, const Then& then) {
+    make(tr("Making the canvas"), [this, canvas, then, terms = journal_terms()](const auto&) {
+        const auto painting =
+            std::make_shared<PreparedPainting>(bare_painting(canvas), journal::Beginning{}, terms);
+        return [this, painting, then] {
+            put_up_new(*painting);
+            if (then) then();
+        };
+    });
+}
+
 /// A symmetry stands in the middle of the new canvas as it stood in that of the old one.
-void ProjectFiles::new_canvas(const document::CanvasSettings& canvas) {
-    {
-        const WaitCursor waiting;
-        start(canvas);
-    }
+void ProjectFiles::put_up_new(PreparedPainting& painting) {
+    const document::CanvasSettings canvas = painting.made.painting->settings();
+    put_up(painting);
     tools::Easel& easel = studio_.easel();
     easel.set_up();
     brush::Symmetry symmetry = easel.hand().symmetry;
@@ -96,15 +144,6 @@ void ProjectFiles::new_canvas(const document::CanvasSettings& canvas) {
         studio_.show_hand();
     }
     studio_.show_published();
-}
-
-void ProjectFiles::replay(const document::Recording& recording) {
-    if (!(recording.canvas == studio_.session().canvas())) new_canvas(recording.canvas);
-    studio_.session().play(recording.events);
-    studio_.easel().lend_brush(true);
-    studio_.easel().adopt(tools::hand_after(studio_.easel().hand(), recording.events));
-    studio_.show_hand();
-    tell_arithmetic(recording);
 }
 
 void ProjectFiles::tell_arithmetic(const document::Recording& recording) {
@@ -146,25 +185,22 @@ void ProjectFiles::show_place(const QString& name) {
 }
 
 void ProjectFiles::open_painting(const QString& path) {
-    if (!project::is_project_path(path.toStdString())) {
-        open_picture(path);
-        return;
-    }
-    const WaitCursor waiting;
-    auto pool = std::make_unique<core::ThreadPool>();
+    if (!project::is_project_path(path.toStdString())) return open_picture(path);
+    const QString name = QFileInfo(path).fileName();
     const std::filesystem::path file = core::absolute_path(path.toStdString());
-    const auto stamp = commands::stamp_of(file);
-    project::LoadedProject project = project::load_project(path.toStdString(), *pool);
-    auto painting = std::make_unique<document::Painting>(project.painting, *pool);
-    start(std::move(pool), std::move(painting), project.strokes,
-          {.painting = file, .write_start = copied_start(file)});
-    path_ = path;
-    stamp_ = stamp;
-    show_title();
-    take_up_hand(project.strokes);
-    studio_.show_published();
-    commands::remember_painting(path.toStdString());
-    studio_.report_notes(QFileInfo(path).fileName(), project.notes);
+    make(tr("Opening %1").arg(name), [=, this, terms = journal_terms()](const core::Progress& progress) {
+        return [=, this, from = opened(file, terms, progress)] {
+            const document::Recording past = from.painting->made.past;
+            put_up(*from.painting);
+            path_ = path;
+            stamp_ = from.stamp;
+            show_title();
+            take_up_hand(past);
+            studio_.show_published();
+            commands::remember_painting(file);
+            studio_.report_notes(name, from.notes);
+        };
+    });
 }
 
 bool ProjectFiles::opens(const QString& path) {
@@ -175,21 +211,33 @@ bool ProjectFiles::opens(const QString& path) {
 }
 
 void ProjectFiles::open_picture(const QString& path) {
-    const WaitCursor waiting;
-    core::ThreadPool pool;
-    const auto project =
-        std::make_shared<const project::LoadedProject>(imported(path.toStdString(), pool));
-    put_up_unsaved(project);
-    studio_.report_notes(QFileInfo(path).fileName(), project->notes);
+    const QString name = QFileInfo(path).fileName();
+    make(tr("Opening %1").arg(name), [=, this, terms = journal_terms()](const core::Progress& progress) {
+        core::ThreadPool pool;
+        const auto project =
+            std::make_shared<const project::LoadedProject>(imported(path.toStdString(), pool, progress));
+        return [=, this, painting = unsaved(project, terms)] {
+            put_up_new_to_save(*painting);
+            studio_.report_notes(name, project->notes);
+        };
+    });
 }
 
-void ProjectFiles::put_up_unsaved(std::shared_ptr<const project::Project> project) {
-    auto pool = std::make_unique<core::ThreadPool>();
-    auto painting = std::make_unique<document::Painting>(project->painting, *pool);
-    start(std::move(pool), std::move(painting), project->strokes,
-          {.write_start = saved_start(project), .is_saved = false});
+void ProjectFiles::put_up_unsaved(std::shared_ptr<const project::Project> project, const Then& then) {
+    make(tr("Putting it on the easel"),
+         [this, project = std::move(project), then, terms = journal_terms()](const auto&) {
+             return [this, then, painting = unsaved(project, terms)] {
+                 put_up_new_to_save(*painting);
+                 if (then) then();
+             };
+         });
+}
+
+void ProjectFiles::put_up_new_to_save(PreparedPainting& painting) {
+    const document::Recording past = painting.made.past;
+    put_up(painting);
     show_unsaved();
-    take_up_hand(project->strokes);
+    take_up_hand(past);
     studio_.show_published();
 }
 
@@ -204,10 +252,6 @@ void ProjectFiles::take_up_hand(const document::Recording& past) {
     studio_.show_hand();
 }
 
-void ProjectFiles::try_to_open(const QString& path) {
-    studio_.attempt(tr("Open"), [&] { open_painting(path); });
-}
-
 void ProjectFiles::ask_open_painting() {
     if (!may_discard()) return;
     const QString path =
@@ -215,7 +259,7 @@ void ProjectFiles::ask_open_painting() {
                                      tr("Paintings and pictures (*.pastoso *.ora %1);;"
                                         "All files (*)")
                                          .arg(picture_endings()));
-    if (!path.isEmpty()) try_to_open(path);
+    if (!path.isEmpty()) open_painting(path);
 }
 
 }  // namespace pastoso::main

@@ -1,14 +1,20 @@
 // Paintings and their files: a fresh canvas, opening, saving, recovering, and what would be lost.
+//
+// Paintings are made beside the window. The one on the easel stays there, and can be painted on, until
+// the other is whole; where one cannot be had, that is told in a sentence and nothing else happens.
 #pragma once
 
 #include "commands/file_stamp.hpp"
 #include "commands/project_saver.hpp"
 #include "journal/journal_writer.hpp"
+#include "main/files/loading.hpp"
+#include "main/files/prepared_painting.hpp"
 #include "main/studio.hpp"
 #include "project/project.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -23,22 +29,38 @@ class ProjectFiles : public QObject {
     Q_OBJECT
   public:
     /// What is painted is kept on the disk as it happens, to be recovered, where `keeps_journal`.
-    ProjectFiles(Studio& studio, bool keeps_journal);
+    ProjectFiles(Studio& studio, Loading& loading, bool keeps_journal);
 
     /// Puts up the first canvas. Throws core::InputError when there can be no such canvas.
     void start(const document::CanvasSettings& canvas);
 
-    /// Puts up another canvas with the same tools. Throws core::InputError and keeps the old one when it
-    /// cannot.
-    void new_canvas(const document::CanvasSettings& canvas);
+    using Then = std::function<void()>;
 
-    /// Puts up the painting in a project file, as it was; a file of any other name as open_picture()
-    /// does. Throws core::InputError and keeps the old one when it cannot.
+    // All of these begin to make a painting, in place of any that is being made, and put it up once it
+    // is there. What was painted until now may be lost by that; what is painted from now on is asked
+    // about before.
+
+    /// Another canvas with the same tools; `then` something more.
+    void new_canvas(const document::CanvasSettings& canvas, const Then& then = {});
+
+    /// The painting in a project file, as it was; a file of any other name as open_picture() does.
     void open_painting(const QString& path);
 
-    /// Puts up a new canvas with a picture or the layers of an OpenRaster file as dry paint, which has
-    /// no file yet. Throws core::InputError and keeps the old painting when it cannot.
+    /// A new canvas with a picture or the layers of an OpenRaster file as dry paint, which has no file
+    /// yet.
     void open_picture(const QString& path);
+
+    /// A painting that a program left unfinished; its journal then goes.
+    void recover_painting(const std::filesystem::path& journal);
+
+    /// The recording's canvas, on which is painted what was recorded; at once where such a canvas stands
+    /// on the easel.
+    void replay(const document::Recording& recording);
+    /// The same of a recording in a file, on a canvas of its own.
+    void replay_file(const std::filesystem::path& recording);
+
+    /// A painting that has no file yet; `then` something more.
+    void put_up_unsaved(std::shared_ptr<const project::Project> project, const Then& then = {});
 
     /// Whether open_painting() takes files of that name; others may be recordings.
     static bool opens(const QString& path);
@@ -55,30 +77,17 @@ class ProjectFiles : public QObject {
     /// Into its file, where it has one and has changed. Where save() would ask, tells the painter.
     void save_by_itself();
 
-    /// Puts up a painting that a program left unfinished; its journal then goes. Throws core::InputError
-    /// and keeps both the old painting and the journal when it cannot.
-    void recover_painting(const std::filesystem::path& journal);
-
     /// Asks what to do with unfinished paintings, if there are any.
     void offer_recovery();
 
-    /// Puts up the recording's canvas and paints on it what was recorded.
-    void replay(const document::Recording& recording);
-
-    /// Paints a recording on a canvas of its own, as fast as it goes. Nothing of it needs to be saved
-    /// until the painter goes on with it. Throws core::InputError as new_canvas() does.
-    void watch(const document::Recording& recording);
-
-    /// Puts up a painting that has no file yet.
-    void put_up_unsaved(std::shared_ptr<const project::Project> project);
-
-    /// The same when the painter asks for it: first what is on the easel may be saved, and what goes
-    /// wrong is told. Nothing happens where the painter thinks better of it.
+    /// The same when the painter asks for it: first what is on the easel may be saved. Nothing happens
+    /// where the painter thinks better of it.
     void ask_to_put_up(const document::CanvasSettings& canvas);
-    /// Whether it stands there.
-    bool ask_to_put_up_unsaved(std::shared_ptr<const project::Project> project);
+    void ask_to_put_up_unsaved(std::shared_ptr<const project::Project> project, const Then& then);
     void ask_to_open(const QString& path);
     void ask_to_recover(const std::filesystem::path& journal);
+    /// A recording's canvas, on which is painted what was recorded, as fast as it goes. Nothing of it
+    /// needs to be saved until the painter goes on with it.
     void ask_to_watch(const std::filesystem::path& recording);
     void ask_new_canvas();
     void ask_open_painting();
@@ -103,14 +112,18 @@ class ProjectFiles : public QObject {
     void about_to_keep();
 
   private:
-    void start(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<document::Painting> painting,
-               document::Recording past, journal::Beginning beginning);
-    session::PaintSession::BeginJournal journal_for(const journal::Beginning& beginning);
-    std::unique_ptr<journal::JournalWriter> begun_journal(
-        const session::PaintSession::BeginJournal& begin);
+    /// Puts it on the easel where that is agreed to when it is there.
+    void make(const QString& words, Loading::Make work);
+    bool may_replace();
+    void put_up(PreparedPainting& painting);
+    void put_up_new(PreparedPainting& painting);
+    void put_up_new_to_save(PreparedPainting& painting);
+    void put_up_watched(PreparedPainting& painting, const document::Recording& recording);
+    struct RecoveredPainting;
+    void put_up_recovered(RecoveredPainting& found);
+    JournalTerms journal_terms();
     void take_up_hand(const document::Recording& past);
     void tell_arithmetic(const document::Recording& recording);
-    void try_to_open(const QString& path);
     bool ask_save_painting();  ///< false: the painter thought better of it
     bool save_to(const QString& path);
     QString objection_to(const QString& path) const;
@@ -121,10 +134,12 @@ class ProjectFiles : public QObject {
     void show_modified();
 
     Studio& studio_;
+    Loading& loading_;
     const bool keeps_journal_;
     QString path_, place_;
     std::optional<commands::FileStamp> stamp_;  ///< of that file as the painting was read or written
     std::int64_t saved_changes_ = 0;
+    std::int64_t given_up_changes_ = 0;  ///< of the painting on the easel, for the one being made
     bool watched_ = false;  ///< a recording is being painted that needs no saving
     struct Saving {
         std::uint64_t number = 0;  ///< the saver's
@@ -135,6 +150,7 @@ class ProjectFiles : public QObject {
     std::optional<Saving> saving_;  ///< of the painting on the easel, under way
     bool save_waits_ = false;       ///< for the stroke in progress to end
     std::uint64_t journals_ = 0;    ///< begun so far
+    std::uint64_t journal_ = 0;     ///< the number of the one in use
     QMenu* recent_ = nullptr;
     commands::ProjectSaver saver_;
 };

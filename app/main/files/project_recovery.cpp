@@ -30,13 +30,6 @@ QString free_room(const std::filesystem::path& folder) {
     return bytes ? QLocale().formattedDataSize(static_cast<qint64>(*bytes)) : QStringLiteral("?");
 }
 
-/// What a painting begins with is not copied in vain every other second.
-void check_room(const std::filesystem::path& root) {
-    constexpr std::uint64_t kLeast_bytes = 4 << 20;
-    if (core::free_bytes(root).value_or(kLeast_bytes) < kLeast_bytes)
-        throw core::InputError(root.string() + ": the disk is full.");
-}
-
 /// Nobody else has written to the file after the journal.
 bool is_as_left(const std::filesystem::path& file, const std::filesystem::path& journal) {
     struct stat known {};
@@ -46,37 +39,49 @@ bool is_as_left(const std::filesystem::path& file, const std::filesystem::path& 
 
 }  // namespace
 
-/// None where nothing is to be kept.
-session::PaintSession::BeginJournal ProjectFiles::journal_for(const journal::Beginning& beginning) {
-    const std::filesystem::path root = journal::journals_path();
-    studio_.messages().solve(Matter::Journal);
-    if (!keeps_journal_ || root.empty()) return {};
+/// A painting out of the journal in which it was left, in this program's hands.
+struct ProjectFiles::RecoveredPainting {
+    journal::Claim claim;
+    std::shared_ptr<const journal::Recovered> state;
+    std::optional<commands::FileStamp> stamp;  ///< of its file
+    SharedPainting painting;
+
+    static RecoveredPainting from(const std::filesystem::path& folder, const JournalTerms& terms,
+                                  const core::Progress& progress);
+};
+
+ProjectFiles::RecoveredPainting ProjectFiles::RecoveredPainting::from(
+    const std::filesystem::path& folder, const JournalTerms& terms, const core::Progress& progress) {
+    auto claim = journal::Claim::on(folder);
+    if (!claim) throw core::InputError(folder.string() + ": another program is at it.");
+    auto pool = std::make_unique<core::ThreadPool>();
+    const auto state =
+        std::make_shared<const journal::Recovered>(journal::recover(folder, *pool, progress));
+    // Of a file that was written to since, any content is another one.
+    const auto stamp =
+        is_as_left(state->file, folder) ? commands::stamp_of(state->file) : commands::FileStamp{};
+    auto painting = std::make_shared<PreparedPainting>(
+        made_of(state->painting, state->strokes, std::move(pool)),
+        journal::Beginning{
+            .painting = state->file, .write_start = saved_start(state), .is_saved = false},
+        terms);
+    return {std::move(*claim), state, stamp, std::move(painting)};
+}
+
+JournalTerms ProjectFiles::journal_terms() {
+    const std::uint64_t number = ++journals_;
+    if (!keeps_journal_) return {.number = number};
     // The journal outlives these files, but not the studio.
     const auto told = [studio = &studio_, files = QPointer(this),
-                       number = ++journals_](const journal::Trouble& trouble) {
+                       number](const journal::Trouble& trouble) {
         QMetaObject::invokeMethod(
             studio,
             [files, number, trouble] {
-                if (files != nullptr && files->journals_ == number) files->show_trouble(trouble);
+                if (files != nullptr && files->journal_ == number) files->show_trouble(trouble);
             },
             Qt::QueuedConnection);
     };
-    return [root, beginning, told] {
-        if (beginning.write_start) check_room(root);
-        auto journal = std::make_unique<journal::JournalWriter>(root, beginning, journal::Pace{}, told);
-        told({});
-        return journal;
-    };
-}
-
-/// A painting that cannot be kept there is painted nevertheless, and the painter knows.
-std::unique_ptr<journal::JournalWriter> ProjectFiles::begun_journal(
-    const session::PaintSession::BeginJournal& begin) {
-    std::unique_ptr<journal::JournalWriter> journal;
-    if (!begin) return journal;
-    core::guarded([&] { journal = begin(); },
-                  [this](const std::string& fault) { show_trouble({.reason = fault}); });
-    return journal;
+    return {journal::journals_path(), told, number};
 }
 
 /// Says where, how much, and what to do.
@@ -111,24 +116,25 @@ void ProjectFiles::show_trouble(const journal::Trouble& trouble) {
 }
 
 void ProjectFiles::recover_painting(const std::filesystem::path& folder) {
-    auto claim = journal::Claim::on(folder);
-    if (!claim) throw core::InputError(folder.string() + ": another program is at it.");
-    auto pool = std::make_unique<core::ThreadPool>();
-    const auto recovered = std::make_shared<const journal::Recovered>(journal::recover(folder, *pool));
-    auto painting = std::make_unique<document::Painting>(recovered->painting, *pool);
-    // Until the painting stands in a journal of its own, the old one stays.
-    start(std::move(pool), std::move(painting), recovered->strokes,
-          {.painting = recovered->file, .write_start = saved_start(recovered), .is_saved = false});
-    path_ = QString::fromStdString(recovered->file);
-    // Of a file that was written to since, any content is another one.
-    stamp_ = is_as_left(recovered->file, folder) ? commands::stamp_of(recovered->file)
-                                                 : commands::FileStamp{};
+    make(tr("Recovering the painting"),
+         [this, folder, terms = journal_terms()](const core::Progress& progress) {
+             const auto found =
+                 std::make_shared<RecoveredPainting>(RecoveredPainting::from(folder, terms, progress));
+             return [this, found] { put_up_recovered(*found); };
+         });
+}
+
+/// Until the painting stands in a journal of its own, the old one stays.
+void ProjectFiles::put_up_recovered(RecoveredPainting& found) {
+    put_up(*found.painting);
+    path_ = QString::fromStdString(found.state->file);
+    stamp_ = found.stamp;
     show_unsaved();
-    take_up_hand(recovered->strokes);
+    take_up_hand(found.state->strokes);
     studio_.show_published();
     studio_.report_notes(path_.isEmpty() ? tr("The painting") : QFileInfo(path_).fileName(),
-                         recovered->notes);
-    if (studio_.session().has_journal()) claim->discard();
+                         found.state->notes);
+    if (studio_.session().has_journal()) found.claim.discard();
 }
 
 void ProjectFiles::offer_recovery() {

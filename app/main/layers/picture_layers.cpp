@@ -2,7 +2,6 @@
 
 #include "files/image.hpp"
 #include "main/files/picture_files.hpp"
-#include "main/wait_cursor.hpp"
 #include "project/picture_import.hpp"
 
 #include <utility>
@@ -12,28 +11,40 @@
 #include <QMainWindow>
 
 namespace pastoso::main {
+namespace {
 
-PictureLayers::PictureLayers(Studio& studio) : studio_(studio) {
+document::PaintPicture layer_of(pigment::Picture picture, const QString& name,
+                                const document::CanvasSettings& canvas) {
+    const layers::PicturePlace place = project::fitted_place(picture.width, picture.height, canvas);
+    return project::paint_of_picture(std::move(picture), name.toStdString(), place, canvas.px_per_mm);
+}
+
+}  // namespace
+
+PictureLayers::PictureLayers(Studio& studio, Loading& loading) : studio_(studio), loading_(loading) {
     studio_.commands().on(commands::Command::LayerFromPicture, [this](bool) { ask_paint_picture(); });
 }
 
 void PictureLayers::paint_picture(const QString& path) {
-    const WaitCursor waiting;
-    paint_picture(files::read_picture(path.toStdString()).picture, QFileInfo(path).completeBaseName());
+    const QFileInfo file(path);
+    loading_.begin(tr("Reading %1").arg(file.fileName()),
+                   [this, path, name = file.completeBaseName(),
+                    canvas = studio_.session().canvas()](const core::Progress&) {
+                       const document::PaintPicture layer =
+                           layer_of(files::read_picture(path.toStdString()).picture, name, canvas);
+                       return [this, layer] { studio_.session().post(layer); };
+                   });
 }
 
 void PictureLayers::paint_picture(pigment::Picture picture, const QString& name) {
-    const document::CanvasSettings& canvas = studio_.session().canvas();
-    const layers::PicturePlace place = project::fitted_place(picture.width, picture.height, canvas);
-    studio_.session().post(
-        project::paint_of_picture(std::move(picture), name.toStdString(), place, canvas.px_per_mm));
+    studio_.session().post(layer_of(std::move(picture), name, studio_.session().canvas()));
 }
 
 void PictureLayers::ask_paint_picture() {
     const QString path =
         QFileDialog::getOpenFileName(&studio_.window(), tr("Layer from a picture"), {},
                                      tr("Pictures (%1);;All files (*)").arg(picture_endings()));
-    if (!path.isEmpty()) studio_.attempt(tr("Layer from a picture"), [&] { paint_picture(path); });
+    if (!path.isEmpty()) paint_picture(path);
 }
 
 }  // namespace pastoso::main

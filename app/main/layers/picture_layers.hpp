@@ -1,6 +1,7 @@
 // Pictures put onto the canvas as layers of dry paint.
 #pragma once
 
+#include "main/files/loading.hpp"
 #include "main/studio.hpp"
 #include "pigment/image.hpp"
 
@@ -11,10 +12,10 @@ namespace pastoso::main {
 class PictureLayers : public QObject {
     Q_OBJECT
   public:
-    explicit PictureLayers(Studio& studio);
+    PictureLayers(Studio& studio, Loading& loading);
 
-    /// Puts a picture onto the canvas as a layer of dry paint, in the middle and as large as it fits.
-    /// Throws core::InputError when it is none.
+    /// Reads a picture beside the window and puts it onto the canvas as a layer of dry paint, in the
+    /// middle and as large as it fits.
     void paint_picture(const QString& path);
 
     /// The same of one that is in memory, as a layer of that name.
@@ -24,6 +25,7 @@ class PictureLayers : public QObject {
     void ask_paint_picture();
 
     Studio& studio_;
+    Loading& loading_;
 };
 
 }  // namespace pastoso::main

@@ -3,7 +3,6 @@
 #include "files/image.hpp"
 #include "layers/picture_means.hpp"
 #include "main/files/picture_files.hpp"
-#include "main/wait_cursor.hpp"
 #include "panels/layers/tracing_panel.hpp"
 #include "project/picture_import.hpp"
 #include "tools/colour_paint.hpp"
@@ -12,6 +11,7 @@
 
 #include <QAction>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMainWindow>
 
 namespace pastoso::main {
@@ -29,8 +29,8 @@ pigment::Srgb8 srgb8(const QColor& colour) {
 
 }  // namespace
 
-TracingCommands::TracingCommands(Studio& studio, panels::TracingPanel* panel)
-    : studio_(studio), panel_(panel) {
+TracingCommands::TracingCommands(Studio& studio, Loading& loading, panels::TracingPanel* panel)
+    : studio_(studio), loading_(loading), panel_(panel) {
     studio_.commands().on(Command::TracePicture, [this](bool) { ask_trace_picture(); });
     studio_.commands().on(Command::RemoveTracing,
                           [this](bool) { studio_.session().post(document::LayTracing{}); });
@@ -61,13 +61,18 @@ TracingCommands::TracingCommands(Studio& studio, panels::TracingPanel* panel)
 }
 
 void TracingCommands::trace_picture(const QString& path) {
-    const WaitCursor waiting;
-    pigment::Picture picture =
-        layers::reduced(files::read_picture(path.toStdString()).picture, kMostSide_px, kMostSide_px);
+    loading_.begin(tr("Reading %1").arg(QFileInfo(path).fileName()),
+                   [this, path](const core::Progress&) {
+                       const auto picture = std::make_shared<const pigment::Picture>(layers::reduced(
+                           files::read_picture(path.toStdString()).picture, kMostSide_px, kMostSide_px));
+                       return [this, picture] { lay(picture); };
+                   });
+}
+
+void TracingCommands::lay(const std::shared_ptr<const pigment::Picture>& picture) {
     const layers::PicturePlace place =
-        project::fitted_place(picture.width, picture.height, studio_.session().canvas());
-    studio_.session().post(
-        document::LayTracing{std::make_shared<const pigment::Picture>(std::move(picture)), place});
+        project::fitted_place(picture->width, picture->height, studio_.session().canvas());
+    studio_.session().post(document::LayTracing{picture, place});
     studio_.commands().action(Command::ShowTracing)->setChecked(true);
     studio_.canvas().show_tracing(true);
 }
@@ -76,7 +81,7 @@ void TracingCommands::ask_trace_picture() {
     const QString path =
         QFileDialog::getOpenFileName(&studio_.window(), tr("Trace a picture"), {},
                                      tr("Pictures (%1);;All files (*)").arg(picture_endings()));
-    if (!path.isEmpty()) studio_.attempt(tr("Trace a picture"), [&] { trace_picture(path); });
+    if (!path.isEmpty()) trace_picture(path);
 }
 
 void TracingCommands::show(const document::Snapshot& painting) {

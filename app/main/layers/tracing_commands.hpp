@@ -1,7 +1,11 @@
 // The picture that is traced: below the paint, and in a panel beside the canvas.
 #pragma once
 
+#include "main/files/loading.hpp"
 #include "main/studio.hpp"
+#include "pigment/image.hpp"
+
+#include <memory>
 
 #include <QObject>
 
@@ -14,17 +18,19 @@ namespace pastoso::main {
 class TracingCommands : public QObject {
     Q_OBJECT
   public:
-    TracingCommands(Studio& studio, panels::TracingPanel* panel);
+    TracingCommands(Studio& studio, Loading& loading, panels::TracingPanel* panel);
 
-    /// Lays a picture below the paint to be traced, in the middle and as large as it fits. Throws
-    /// core::InputError when it is none.
+    /// Reads a picture beside the window and lays it below the paint to be traced, in the middle and as
+    /// large as it fits.
     void trace_picture(const QString& path);
 
   private:
     void ask_trace_picture();
+    void lay(const std::shared_ptr<const pigment::Picture>& picture);
     void show(const document::Snapshot& painting);
 
     Studio& studio_;
+    Loading& loading_;
     panels::TracingPanel* panel_;
 };
 
