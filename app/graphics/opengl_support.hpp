@@ -18,8 +18,8 @@ void ask_for_deep_colour();
 bool deep_colour();
 
 struct OpenGlSupport {
-    std::string problem;  ///< why it cannot be used, as one sentence; empty when it can
-    std::string renderer, vendor, version, shading_language;
+    std::string problem{};  ///< why it cannot be used, as one sentence; empty when it can
+    std::string renderer{}, vendor{}, version{}, shading_language{};
     int largest_texture = 0;  ///< texels along a side
     bool software = false;    ///< it is the processor that does a card's work
 };

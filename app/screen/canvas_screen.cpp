@@ -6,11 +6,15 @@
 
 namespace pastoso::screen {
 
+bool drawn_by_processor(DrawnBy drawn_by, const graphics::OpenGlSupport& opengl, double cells) {
+    constexpr double kMostInTextures = 32e6;
+    if (!opengl.problem.empty() || drawn_by == DrawnBy::Processor) return true;
+    return drawn_by == DrawnBy::Fastest && (opengl.software || cells > kMostInTextures);
+}
+
 std::unique_ptr<CanvasScreen> make_screen(DrawnBy drawn_by, ScreenHost& host, QWidget& parent) {
-    const graphics::OpenGlSupport& opengl = graphics::opengl_support();
-    const bool by_processor = !opengl.problem.empty() || drawn_by == DrawnBy::Processor ||
-                              (drawn_by == DrawnBy::Fastest && opengl.software);
-    if (by_processor) return std::make_unique<RasterScreen>(host, parent);
+    if (drawn_by_processor(drawn_by, graphics::opengl_support(), 0.0))
+        return std::make_unique<RasterScreen>(host, parent);
     return std::make_unique<GlScreen>(host, parent);
 }
 

@@ -1,6 +1,7 @@
 // What draws a canvas into its view: the graphics card, or the processor where there is none to be had.
 #pragma once
 
+#include "graphics/opengl_support.hpp"
 #include "screen/canvas_presenter.hpp"
 #include "screen/overlay_painter.hpp"
 #include "screen/view_transform.hpp"
@@ -66,6 +67,10 @@ class CanvasScreen {
 
 /// Fastest: by OpenGL, but by the processor where that would do the graphics card's work.
 enum class DrawnBy { Fastest, OpenGl, Processor };
+
+/// Whether the processor draws a canvas of so many cells. Fastest: textures of more than 32 million
+/// would be seen many seconds later, and take gigabytes.
+bool drawn_by_processor(DrawnBy drawn_by, const graphics::OpenGlSupport& opengl, double cells);
 
 /// The processor's, too, where OpenGL is not to be had.
 std::unique_ptr<CanvasScreen> make_screen(DrawnBy drawn_by, ScreenHost& host, QWidget& parent);

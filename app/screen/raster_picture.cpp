@@ -25,6 +25,12 @@ namespace {
 /// The layers of so many cells are made at once.
 constexpr double kCellsAtOnce = 1 << 22;
 
+/// Samples, or cells whose layers are made, that take some hundredths of a second.
+constexpr double kMostWork = 2e6;
+
+/// Pixels for each cell below which a draft has no relief.
+constexpr double kFarZoom = 0.25;
+
 /// Of canvases up to so large the layers are kept: 28 bytes a cell.
 constexpr double kMostCellsKept = 12e6;
 
@@ -243,6 +249,50 @@ class SheetPainter {
     shade::Renderer renderer_;
 };
 
+/// The layers of a flat surface with a cell for each pixel, in the colour of one cell below it.
+shade::CellLayers flat_layers(const RasterScene& scene, const document::Snapshot& seen,
+                              const Sheet& sheet, const grid::Rect& pixels, core::ThreadPool& pool) {
+    constexpr float kNoShadow_mm = -1e3F;
+    shade::CellLayers flat(shade::grown({0, 0, pixels.width(), pixels.height()}, shade::kLayersAround));
+    std::fill(flat.shadow_mm.begin(), flat.shadow_mm.end(), kNoShadow_mm);
+    std::fill(flat.sky.begin(), flat.sky.end(), 1.0F);
+    const shade::Lattice& lattice = sheet.lattice;
+    const grid::Shape& shape = seen.film.shape;
+    pool.run(static_cast<std::size_t>(flat.cells.height()), [&](std::size_t row, int) {
+        const int y = flat.cells.y0 + static_cast<int>(row);
+        const int cell_y =
+            std::clamp(static_cast<int>(lattice.top_cells + (pixels.y0 + y + 0.5) / lattice.scale_y), 0,
+                       shape.height - 1);
+        for (int x = flat.cells.x0; x < flat.cells.x1; ++x) {
+            const int cell_x = std::clamp(
+                static_cast<int>(lattice.left_cells + (pixels.x0 + x + 0.5) / lattice.scale_x), 0,
+                shape.width - 1);
+            shade::cell_colours(seen.film, {cell_x, cell_y, cell_x + 1, cell_y + 1}, seen.ground,
+                                &flat.colour[static_cast<std::size_t>(flat.index(x, y))], 1,
+                                scene.sight.viewing.to_rgb);
+        }
+    });
+    return flat;
+}
+
+/// The first draft of a huge canvas from far away: its colours in that light, without any relief, which
+/// would be found for thousands of cells a pixel.
+QImage flat_picture(const RasterScene& scene, const document::Snapshot& seen, const Sheet& sheet,
+                    const grid::Rect& pixels, core::ThreadPool& pool) {
+    const shade::CellLayers flat = flat_layers(scene, seen, sheet, pixels, pool);
+    const grid::Rect all{0, 0, pixels.width(), pixels.height()};
+    const shade::Renderer renderer(seen.film, seen.ground, {0.0, 0.0, 1.0, 1.0, all.x1, all.y1},
+                                   {.lighting = scene.sight.lighting,
+                                    .viewing = scene.sight.viewing,
+                                    .outlined = false,
+                                    .most_samples = 1,
+                                    .layers = &flat},
+                                   pool);
+    pigment::LinearImage lit;
+    renderer.render(all, &lit, nullptr);
+    return as_image(lit, pool);
+}
+
 /// The ground with the soft shadow of the canvas's edge, as the canvas's shader draws it; none within
 /// the canvas.
 std::optional<pigment::EncodedRgb> ground_at(const RasterScene& scene, const glm::dvec2& px) {
@@ -260,15 +310,29 @@ std::optional<pigment::EncodedRgb> ground_at(const RasterScene& scene, const glm
     return colour;
 }
 
-void paint_part(QImage& image, const QRect& part, const Sheet& sheet, const SheetPainter& painter,
-                bool upright) {
+/// All cells that a picture of these pixels needs the layers of, and a few more.
+grid::Rect cells_needed(const Sheet& sheet, const grid::Rect& pixels) {
+    const shade::Lattice& lattice = sheet.lattice;
+    const auto cell = [](double origin, int pixel, double scale) {
+        return static_cast<int>(std::floor(origin + pixel / scale));
+    };
+    return shade::grown({cell(lattice.left_cells, pixels.x0, lattice.scale_x),
+                         cell(lattice.top_cells, pixels.y0, lattice.scale_y),
+                         cell(lattice.left_cells, pixels.x1, lattice.scale_x) + 1,
+                         cell(lattice.top_cells, pixels.y1, lattice.scale_y) + 1},
+                        shade::kLayersAround);
+}
+
+/// `paint(pixels)` gives the picture of pixels of the sheet.
+template <class Paint>
+void paint_part(QImage& image, const QRect& part, const Sheet& sheet, bool upright, const Paint& paint) {
     const grid::Rect pixels = sheet.pixels_below(part);
     if (pixels.empty()) return;
     const double cells_a_row = pixels.width() / (sheet.lattice.scale_x * sheet.lattice.scale_y);
     const int rows = std::max(1, static_cast<int>(kCellsAtOnce / cells_a_row));
     for (int y = pixels.y0; y < pixels.y1; y += rows) {
         const grid::Rect strip{pixels.x0, y, pixels.x1, std::min(y + rows, pixels.y1)};
-        const QImage picture = painter.paint(strip);
+        const QImage picture = paint(strip);
         QPainter onto(&image);
         onto.setClipRect(part);
         onto.setRenderHint(QPainter::SmoothPixmapTransform, !upright);
@@ -311,16 +375,59 @@ void RasterPicture::show(const RasterScene& scene, Quality quality, core::Thread
         canvas_ = QImage(scene.window_px, QImage::Format_RGBX64);
         image_ = QImage(scene.window_px, QImage::Format_RGB32);
     }
-    const Sheet sheet(seen->film.shape, scene.view);
-    const SheetPainter painter(scene, *seen, sheet, scale_top_mm_, quality, layers_, pool);
-    for (const QRect& part : region)
-        paint_part(canvas_, part, sheet, painter, scene.view.upright());
-    for (const QRect& part : recoloured ? QRegion(image_.rect()) : region)
-        finish(part, scene, pool);
     light_ = scene.sight;
-    scene_.reset();
-    if (quality == Quality::Full) scene_ = scene;
+    scene_ = scene;
     seen_ = seen;
+    paint(region, takes_long(region) ? Quality::Plain : quality, pool);
+    if (recoloured) finish(image_.rect(), scene, pool);
+}
+
+/// What lies below it is made anew each time where the layers of the canvas are not kept.
+bool RasterPicture::takes_long(const QRegion& region) const {
+    if (!layers_.cells.empty()) return false;
+    double pixels = 0.0;
+    for (const QRect& part : region)
+        pixels += 1.0 * part.width() * part.height();
+    return pixels / (scene_->view.zoom * scene_->view.zoom) > kMostWork;
+}
+
+void RasterPicture::paint(const QRegion& region, Quality quality, core::ThreadPool& pool) {
+    const Sheet sheet(seen_->film.shape, scene_->view);
+    const auto paint_with = [&](const shade::CellLayers& layers, const grid::Rect& pixels) {
+        return SheetPainter(*scene_, *seen_, sheet, scale_top_mm_, quality, layers, pool).paint(pixels);
+    };
+    // The renderer would look for the canvas's highest place each time.
+    const auto paint_pixels = [&](const grid::Rect& pixels) {
+        if (!layers_.cells.empty() || scene_->sight.look == Look::Height)
+            return paint_with(layers_, pixels);
+        const bool far = scene_->view.zoom < kFarZoom && scene_->sight.look == Look::Lit;
+        if (far && quality != Quality::Full) return flat_picture(*scene_, *seen_, sheet, pixels, pool);
+        return paint_with(
+            shade::cell_layers(seen_->film, seen_->ground, cells_needed(sheet, pixels),
+                               scene_->sight.lighting, range_, pool, scene_->sight.viewing.to_rgb),
+            pixels);
+    };
+    for (const QRect& part : region) {
+        paint_part(canvas_, part, sheet, scene_->view.upright(), paint_pixels);
+        finish(part, *scene_, pool);
+    }
+    draft_ = quality == Quality::Full ? draft_ - region : draft_ + region;
+    draft_ &= QRect(QPoint(0, 0), scene_->window_px);
+}
+
+void RasterPicture::refine(core::ThreadPool& pool) {
+    if (is_draft()) paint(draft_ & next_strip(), Quality::Full, pool);
+}
+
+/// Its work are the samples and, where no layers are kept, the cells below it.
+QRect RasterPicture::next_strip() const {
+    const double zoom = scene_->view.zoom;
+    const double samples = samples_per_pixel(Quality::Full, zoom),
+                 cells = layers_.cells.empty() ? 1.0 / (zoom * zoom) : 0.0;
+    QRect strip = draft_.boundingRect();
+    const double rows = kMostWork / (std::max(samples, cells) * strip.width());
+    strip.setHeight(static_cast<int>(std::clamp(rows, 1.0, static_cast<double>(strip.height()))));
+    return strip;
 }
 
 /// Of the layers; all of them at first, and where the light is another.

@@ -32,8 +32,14 @@ bool same_place(const RasterScene& a, RasterScene b);
 /// Keeps the latest picture: only what differs from it is made again.
 class RasterPicture {
   public:
-    /// Makes it one of this scene.
+    /// Makes it one of this scene. What is no other stays in the quality that it has.
     void show(const RasterScene& scene, Quality quality, core::ThreadPool& pool);
+
+    /// Whether a part of it is less than it is to be.
+    bool is_draft() const { return !draft_.isEmpty(); }
+
+    /// Makes a strip of that part as it is to be: as much as takes some hundredths of a second.
+    void refine(core::ThreadPool& pool);
 
     const QImage& image() const { return image_; }
 
@@ -46,12 +52,16 @@ class RasterPicture {
     void update_layers(const RasterScene& scene, const document::Snapshot& seen, const QRegion& changed,
                        core::ThreadPool& pool);
     QRegion changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const;
+    bool takes_long(const QRegion& region) const;
+    void paint(const QRegion& region, Quality quality, core::ThreadPool& pool);
+    QRect next_strip() const;
     void finish(const QRect& part, const RasterScene& scene, core::ThreadPool& pool);
     void measure_heights(const RasterScene& scene, const document::Snapshot& seen,
                          const std::vector<int>& changed, core::ThreadPool& pool);
 
     TracingGround ground_;
-    std::optional<RasterScene> scene_;                ///< none while the picture is a draft
+    std::optional<RasterScene> scene_;
+    QRegion draft_;
     std::optional<Sight> light_;                      ///< that the layers were made in
     std::shared_ptr<const document::Snapshot> seen_;  ///< its painting on what is traced
     shade::TileRanges ranges_;

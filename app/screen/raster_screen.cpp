@@ -61,12 +61,15 @@ Quality RasterScreen::first_quality(const RasterScene& scene) const {
     constexpr double kMostSamples = 2e6;
     const double pixels = 1.0 * scene.window_px.width() * scene.window_px.height();
     const bool quick = pixels * samples_per_pixel(Quality::Full, scene.view.zoom) < kMostSamples;
-    return quick || (frame_ && same_place(frame_->scene, scene)) ? Quality::Full : Quality::Plain;
+    const auto shape = [](const RasterScene& of) { return of.sight.painting->film.shape; };
+    const bool painted_on =
+        frame_ && shape(frame_->scene) == shape(scene) && same_place(frame_->scene, scene);
+    return quick || painted_on ? Quality::Full : Quality::Plain;
 }
 
+/// Not drawn yet: the view comes to suit the canvas first.
 void RasterScreen::begin_other_canvas() {
     asked_.reset();
-    refresh();
 }
 
 bool RasterScreen::finished() const {
@@ -79,7 +82,11 @@ const document::Snapshot* RasterScreen::shown() const {
 }
 
 void RasterScreen::make(Frame& frame) {
-    picture_.show(frame.scene, frame.quality, pool_);
+    if (frame.refines)
+        picture_.refine(pool_);
+    else
+        picture_.show(frame.scene, frame.quality, pool_);
+    frame.quality = picture_.is_draft() ? Quality::Plain : Quality::Full;
     frame.image = picture_.image();
     frame.scale_top_mm = picture_.scale_top_mm();
     hand_over(std::move(frame));
@@ -103,8 +110,9 @@ void RasterScreen::take_frame() {
     if (!made->fault.empty()) throw core::InputError(made->fault);
     frame_ = std::move(made);
     if (frame_->scene.sight.look == Look::Height) host_.scale_shown(frame_->scale_top_mm);
+    // Strip by strip: what the hand does meanwhile comes first.
     if (frame_->quality != Quality::Full && frame_->scene == asked_)
-        worker_.replace(Frame{frame_->scene, Quality::Full});
+        worker_.replace(Frame{frame_->scene, Quality::Full, true});
     refresh();
 }
 

@@ -34,6 +34,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     struct Frame {
         RasterScene scene;
         Quality quality = Quality::Full;
+        bool refines = false;  ///< the picture that is there already
         QImage image{};
         double scale_top_mm = 0.0;
         std::string fault{};  ///< in one sentence, instead of the picture

@@ -57,7 +57,20 @@ void CanvasView::put_up(std::unique_ptr<screen::CanvasScreen> screen) {
 void CanvasView::set_drawn_by(screen::DrawnBy drawn_by) {
     if (drawn_by == drawn_by_) return;
     drawn_by_ = drawn_by;
+    opengl_failed_ = false;
     put_up(screen::make_screen(drawn_by_, *this, *this));
+    if (wanted_ != nullptr) suit_screen();
+}
+
+/// To the size of the canvas.
+void CanvasView::suit_screen() {
+    const glm::dvec2 cells = canvas_cells();
+    const bool by_processor =
+        opengl_failed_ ||
+        screen::drawn_by_processor(drawn_by_, graphics::opengl_support(), cells.x * cells.y);
+    if (by_processor == (screen_->opengl() == nullptr)) return;
+    put_up(screen::make_screen(by_processor ? screen::DrawnBy::Processor : screen::DrawnBy::OpenGl,
+                               *this, *this));
 }
 
 /// Not at once: it is drawing. It may fail more than once until then.
@@ -66,6 +79,7 @@ void CanvasView::screen_failed(const QString& sentence) {
         this,
         [this, sentence] {
             if (screen_->opengl() == nullptr) return;
+            opengl_failed_ = true;
             put_up(screen::make_screen(screen::DrawnBy::Processor, *this, *this));
             Q_EMIT fell_back(sentence);
         },
@@ -103,6 +117,7 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
 
 /// What was begun over the canvas has no place on this one.
 void CanvasView::begin_other_canvas() {
+    suit_screen();
     screen_->begin_other_canvas();
     preview_.reset();
     interactions_.cancel();

@@ -163,6 +163,7 @@ class CanvasView : public QWidget, private screen::ScreenHost {
     void screen_failed(const QString& sentence) override;
 
     void put_up(std::unique_ptr<screen::CanvasScreen> screen);
+    void suit_screen();
     void place_legend();
     screen::Tracing seen_tracing() const;
     void draw_selection(const document::Snapshot& shown, const Overlay& overlay);
@@ -185,6 +186,7 @@ class CanvasView : public QWidget, private screen::ScreenHost {
 
     document::Surface surface_;
     screen::DrawnBy drawn_by_ = screen::DrawnBy::Fastest;
+    bool opengl_failed_ = false;
     std::unique_ptr<screen::CanvasScreen> screen_;
     std::shared_ptr<const document::Snapshot> wanted_;
     screen::ViewTransform view_;

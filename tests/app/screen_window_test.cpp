@@ -119,6 +119,19 @@ TEST_F(ScreenTest, PaintCrossesTheBordersOfPages) {
         EXPECT_EQ(difference(painted[i], anew[i]).largest, 0) << "picture " << i;
 }
 
+TEST(DrawnBy, TheProcessorDrawsWhereThatIsFasterOrTheOnlyWay) {
+    using screen::DrawnBy;
+    const graphics::OpenGlSupport card{}, software{.software = true}, none{.problem = "none"};
+    constexpr double kOrdinary = 4e6, kHuge = 8192.0 * 8192.0;
+    EXPECT_FALSE(drawn_by_processor(DrawnBy::Fastest, card, kOrdinary));
+    EXPECT_TRUE(drawn_by_processor(DrawnBy::Fastest, card, kHuge));
+    EXPECT_FALSE(drawn_by_processor(DrawnBy::OpenGl, card, kHuge));
+    EXPECT_TRUE(drawn_by_processor(DrawnBy::Fastest, software, kOrdinary));
+    EXPECT_FALSE(drawn_by_processor(DrawnBy::OpenGl, software, kHuge));
+    EXPECT_TRUE(drawn_by_processor(DrawnBy::OpenGl, none, kOrdinary));
+    EXPECT_TRUE(drawn_by_processor(DrawnBy::Processor, card, kOrdinary));
+}
+
 TEST_F(ScreenTest, WithoutMemoryTheProcessorDrawsTheSame) {
     paint();
     const auto views = some_views();
