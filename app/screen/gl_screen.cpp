@@ -22,7 +22,7 @@ namespace {
 /// hand.
 constexpr int kCoolingTime_ms = 60;
 
-/// A frame that has spent this much on what changed refines nothing more.
+/// A frame that costs this much for what changed refines nothing more.
 constexpr double kBusy_s = 0.010;
 
 /// So much of a frame is spent on putting onto the graphics card what has changed.
@@ -109,6 +109,7 @@ void GlScreen::make_graphics() {
 void GlScreen::free_graphics() {
     textures_.release();
     picture_.release();
+    timer_.release();
     overlay_.release();
     drop_textures();
 }
@@ -153,9 +154,15 @@ void GlScreen::draw_frame() {
     upload_changes();
     // Another canvas takes the place of what was shown when all of it is there.
     if (shown_ == nullptr) return finish_picture();
-    double spent_s = 0.0;
-    if (plan_.has_damage()) spent_s = shade_job(plan_.take_damage(window, view.zoom));
-    if (plan_.can_refine() && spent_s < kBusy_s) shade_job(plan_.take_refinement(view.zoom));
+    for (const ShadingTimer::Measured& job : timer_.take_measured())
+        plan_.measured(job.samples, job.seconds);
+    double expected_s = 0.0;
+    if (plan_.has_damage()) {
+        const ShadingPlan::Job job = plan_.take_damage(window, view.zoom);
+        expected_s = plan_.expected_s(job);
+        shade_job(job);
+    }
+    if (plan_.can_refine() && expected_s < kBusy_s) shade_job(plan_.take_refinement(view.zoom));
     if (plan_.can_refine()) update();
     if (plan_.has_drafts() && !cooling_.isActive()) cooling_.start();
     finish_picture();
@@ -275,15 +282,14 @@ void GlScreen::show_heights(const std::vector<LookPatch>& patches, bool begins) 
     damage_all();
 }
 
-double GlScreen::shade_job(const ShadingPlan::Job& job) {
+void GlScreen::shade_job(const ShadingPlan::Job& job) {
     const Scene scene{
         &textures_,    shown_->film.cell_mm, host_.view_transform(), host_.sight().lighting, drawn_.look,
         scale_top_mm_, drawn_.viewing.space, ground_colour(),        outlined_region()};
-    double seconds = 0.0;
+    timer_.begin();
     for (const QRect& part : job.region)
-        seconds += picture_.shade(part, job.quality, scene);
-    plan_.measured(job, seconds);
-    return seconds;
+        picture_.shade(part, job.quality, scene);
+    timer_.end(job.samples());
 }
 
 }  // namespace pastoso::screen

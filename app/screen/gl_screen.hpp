@@ -7,6 +7,7 @@
 #include "screen/gl_overlay.hpp"
 #include "screen/picture_buffer.hpp"
 #include "screen/shading_plan.hpp"
+#include "screen/shading_timer.hpp"
 #include "screen/texture_upload.hpp"
 
 #include <chrono>
@@ -53,7 +54,7 @@ class GlScreen : public graphics::GraphicsWidget, public CanvasScreen {
     void upload_outlines();
     QRegion outlined_region() const;
     void show_heights(const std::vector<LookPatch>& patches, bool begins);
-    double shade_job(const ShadingPlan::Job& job);
+    void shade_job(const ShadingPlan::Job& job);
     grid::Rect cells_in_window() const;
 
     ScreenHost& host_;
@@ -64,6 +65,7 @@ class GlScreen : public graphics::GraphicsWidget, public CanvasScreen {
     CanvasOutlines outlines_;
     CanvasTextures textures_;
     PictureBuffer picture_;
+    ShadingTimer timer_;
     GlOverlay overlay_;
     ShadingPlan plan_;
     QTimer cooling_;

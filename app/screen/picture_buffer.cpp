@@ -9,7 +9,6 @@
 #include <cmath>
 #include <string>
 
-#include <QElapsedTimer>
 #include <QVector3D>
 
 namespace pastoso::screen {
@@ -125,9 +124,7 @@ void PictureBuffer::move(const ViewTransform& from, const ViewTransform& to, con
     std::swap(picture_, spare_);
 }
 
-double PictureBuffer::shade(const QRect& part, Quality quality, const Scene& scene) {
-    QElapsedTimer timer;
-    timer.start();
+void PictureBuffer::shade(const QRect& part, Quality quality, const Scene& scene) {
     const QRegion outlines = has_outlines(scene.look) ? scene.outlines & part : QRegion();
     if (quality == Quality::Coarse) {
         const QRect coarse = coarse_part(part, size_);
@@ -142,8 +139,6 @@ double PictureBuffer::shade(const QRect& part, Quality quality, const Scene& sce
         draw(QRegion(part) - outlines, *picture_, sampling, scene, false);
         draw(outlines, *picture_, sampling, scene, true);
     }
-    gl_->glFinish();
-    return 1e-9 * static_cast<double>(timer.nsecsElapsed());
 }
 
 void PictureBuffer::draw(const QRegion& parts, QOpenGLFramebufferObject& target,

@@ -37,8 +37,8 @@ class PictureBuffer {
     /// where nothing of it comes to lie. Exact where it moves by whole pixels.
     void move(const ViewTransform& from, const ViewTransform& to, const Rgb& ground);
 
-    /// Shades a part of the window and returns the seconds it took, the card's work included.
-    double shade(const QRect& part, Quality quality, const Scene& scene);
+    /// Shades a part of the window.
+    void shade(const QRect& part, Quality quality, const Scene& scene);
 
     /// Draws the whole picture into the framebuffer given, in the colours and levels of the screen, and
     /// leaves that bound.

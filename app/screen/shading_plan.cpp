@@ -80,8 +80,4 @@ void ShadingPlan::let_drafts_cool() {
     cold_ += std::exchange(cooling_, std::exchange(fresh_, QRegion()));
 }
 
-void ShadingPlan::measured(const Job& job, double seconds) {
-    budget_.measured(job.samples(), seconds);
-}
-
 }  // namespace pastoso::screen

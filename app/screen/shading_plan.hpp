@@ -47,8 +47,11 @@ class ShadingPlan {
     /// two of them.
     void let_drafts_cool();
 
-    /// Tells what a job cost.
-    void measured(const Job& job, double seconds);
+    /// What a job is likely to cost.
+    double expected_s(const Job& job) const { return budget_.expected_s(job.samples()); }
+
+    /// Tells what jobs of so many samples cost.
+    void measured(double samples, double seconds) { budget_.measured(samples, seconds); }
 
   private:
     Quality affordable_quality(double pixels, double px_per_cell) const;

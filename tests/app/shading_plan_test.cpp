@@ -19,7 +19,7 @@ std::int64_t area(const QRegion& region) {
 void teach(ShadingPlan& plan, double seconds_per_sample) {
     const ShadingPlan::Job job{QRegion(kWindow), Quality::Full, 1.0};
     for (int i = 0; i < 50; ++i)
-        plan.measured(job, seconds_per_sample * job.samples());
+        plan.measured(job.samples(), seconds_per_sample * job.samples());
 }
 
 TEST(ShadingPlan, AFastCardIsNeverAskedForADraft) {
