@@ -14,7 +14,7 @@ constexpr double kExpectedPressure = 0.5;
 }  // namespace
 
 Paint::Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface surface)
-    : canvas_(canvas), easel_(easel), surface_(surface), mark_(surface) {
+    : canvas_(canvas), easel_(easel), surface_(surface) {
     waiting_.setInterval(kWait_ms);
     connect(&waiting_, &QTimer::timeout, this, [this] {
         mark_.rest();

@@ -73,14 +73,13 @@ void WetMark::note(const document::Action& action, std::uint64_t number, const t
         ahead_.end(number);
 }
 
-/// Guides and symmetry lie on the canvas.
 void WetMark::begin(const document::PenDown& down, std::uint64_t number, const tools::Hand& hand,
                     const BrushOutline& outline) {
     ahead_ = {};
+    const brush::HandAids aids{hand.stabiliser, hand.guide};
     const bool on_canvas = down.surface == document::Surface::Canvas;
-    const brush::HandAids aids{hand.stabiliser, on_canvas ? hand.guide : brush::PenGuide{}};
-    if (down.surface != surface_ || !lays_films(outline.tool()) || is_line(aids)) return;
-    copies_ = brush::placements(on_canvas ? hand.symmetry : brush::Symmetry{});
+    if (!on_canvas || !lays_films(outline.tool()) || is_line(aids)) return;
+    copies_ = brush::placements(hand.symmetry);
     ahead_.begin(brush::HandPath(outline.tool(), outline.tip(), aids), down.sample, number);
 }
 

@@ -25,10 +25,9 @@ struct PaintInHand {
     friend bool operator==(const PaintInHand&, const PaintInHand&) = default;
 };
 
+/// On the canvas alone.
 class WetMark {
   public:
-    explicit WetMark(document::Surface surface) : surface_(surface) {}
-
     void set_paint(const PaintInHand& paint) { paint_ = paint; }
 
     /// What has been posted for `hand`, and under which number.
@@ -48,7 +47,6 @@ class WetMark {
     void begin(const document::PenDown& down, std::uint64_t number, const tools::Hand& hand,
                const BrushOutline& outline);
 
-    document::Surface surface_;
     PaintInHand paint_;
     StrokeAhead ahead_;
     std::vector<brush::Placement> copies_;

@@ -63,15 +63,12 @@ void Studio::put_up(std::unique_ptr<core::ThreadPool> pool, std::unique_ptr<docu
         std::move(past), commands_.action(commands::Command::Pause)->isChecked(), std::move(journal),
         std::move(begin_journal));
     session_->measure(times_);
-    for (interactions::OnCanvas* on : on_views())
-        on->paint.forget_posted();
+    on_canvas_->paint.forget_posted();
     Q_EMIT session_begun();
 }
 
 void Studio::post(const document::Action& action) {
-    const std::uint64_t number = session_->post(action);
-    for (interactions::OnCanvas* on : on_views())
-        on->paint.note_posted(action, number);
+    on_canvas_->paint.note_posted(action, session_->post(action));
 }
 
 void Studio::measure(std::shared_ptr<session::FrameTimes> times) {

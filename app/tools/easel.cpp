@@ -59,6 +59,9 @@ void Easel::set_up() {
     hand_.guide = {};
     squeezed_ = 0;
     take_brush(preset_in_hand(hand_), hand_.brush_width_mm);
+    if (!hand_.brush_aside) return;
+    post_(LayBrushAside{*hand_.brush_aside});
+    aside_ = {.changed = true};
 }
 
 void Easel::take_brush(const std::string& preset, double width_mm) {

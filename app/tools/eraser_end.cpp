@@ -15,7 +15,7 @@ bool EraserEnd::turn_over(const std::string& tool, Easel& easel) {
 
 bool EraserEnd::turn_back(Easel& easel) {
     if (!std::exchange(in_use_, false)) return false;
-    if (easel.hand().brush != tool_) return false;
+    if (easel.hand().brush != tool_ || !easel.hand().brush_aside) return false;
     width_mm_ = easel.hand().brush_width_mm;
     easel.swap_brushes();
     return true;

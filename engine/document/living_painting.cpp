@@ -99,8 +99,7 @@ void LivingPainting::finish_contacts() {
 }
 
 void LivingPainting::touch_brush() {
-    for (auto* brush : {&value.brush, &value.brush_aside})
-        if (*brush) (*brush)->touch = ++brush_touches;
+    if (value.brush) value.brush->touch = ++brush_touches;
 }
 
 film::Solver& LivingPainting::used_well() {
@@ -138,9 +137,8 @@ brush::Contents LivingPainting::contents_of(const LayerPaint& paint) const {
 }
 
 brush::Contents LivingPainting::held_paint() const {
-    brush::Contents sum;
-    for (const auto* brush : {&value.brush, &value.brush_aside})
-        if (*brush) sum += (*brush)->brush.contents();
+    brush::Contents sum = value.brush ? value.brush->brush.contents() : brush::Contents{};
+    if (value.brush_aside) sum += value.brush_aside->brush.contents();
     if (stroke) sum += stroke->copied_paint();
     return sum;
 }

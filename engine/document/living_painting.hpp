@@ -45,7 +45,7 @@ struct LivingPainting {
     void end_stroke();
     /// Tells the solver and the account what the stroke did.
     void finish_contacts();
-    /// Brushes are others, or hold something else, than at the moments before.
+    /// The brush is another one, or holds something else, than at the moments before.
     void touch_brush();
     /// The solver of the well, which comes to be with its first use.
     film::Solver& used_well();

@@ -101,9 +101,10 @@ struct FieldBytes {
     std::size_t sum = 0;
 
     void operator()(const std::optional<BrushInHand>& brush, const std::optional<BrushInHand>&) {
-        if (!brush) return;
-        sum += brush->brush.held.size() * sizeof(brush::Contents) +
-               brush->brush.tip.bristles.size() * sizeof(brush::Bristle);
+        if (brush) add(brush->brush);
+    }
+    void operator()(const BrushAside& older, const BrushAside& newer) {
+        if (older && older != newer) add(older->brush);
     }
     void operator()(const LayerStack& stack, const LayerStack&) {
         sum += stack.layers.size() * sizeof(Layer) + stack.groups.size() * sizeof(LayerGroup);
@@ -119,6 +120,12 @@ struct FieldBytes {
     template <class Plain>
     void operator()(const Plain&, const Plain&) {
         static_assert(kCountedByItsSize<Plain>, "say what this field of a painting takes");
+    }
+
+  private:
+    void add(const brush::Brush& brush) {
+        sum += brush.held.size() * sizeof(brush::Contents) +
+               brush.tip.bristles.size() * sizeof(brush::Bristle);
     }
 };
 

@@ -36,6 +36,9 @@ struct PaintFlows {
     film::Totals forgotten_run_off{};  ///< over the edges, in a past that was undone
 };
 
+/// One that was laid aside with what it holds, shared by all moments in which it lies there.
+using BrushAside = std::shared_ptr<const BrushInHand>;
+
 using SharedTracing = std::shared_ptr<const layers::Tracing>;
 
 /// A painting between two strokes, but for what its solvers remember. Copies share tiles.
@@ -45,7 +48,7 @@ struct PaintingValue {
     LayerStack layers = single_layer();
     std::optional<film::FilmState> well{};  ///< none: nothing has touched it
     std::optional<BrushInHand> brush{};
-    std::optional<BrushInHand> brush_aside{};  ///< laid there, with what it holds
+    BrushAside brush_aside{};  ///< null: none lies there
     UseMedium medium{};  ///< in hand: what the next paint is mixed with
     TiltCanvas tilt{};
     film::DryingAir air{};

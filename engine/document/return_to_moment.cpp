@@ -25,15 +25,19 @@ void return_well_to(const Moment& then, bool same_medium, LivingPainting& painti
     restart(solver, then.well_awake, same_medium);
 }
 
-std::uint64_t touch_of(const std::optional<BrushInHand>& brush) {
-    return brush ? brush->touch : 0;
+bool is_same(const std::optional<BrushInHand>& a, const std::optional<BrushInHand>& b) {
+    return a.has_value() == b.has_value() && (!a || a->touch == b->touch);
+}
+
+bool is_same(const BrushAside& a, const BrushAside& b) {
+    return a == b;
 }
 
 /// A brush that was not touched since then gets back what it held. Any other stays in hand as it is, as
 /// if it had been filled afresh, and what was on the old one counts as wiped off.
-void return_brush_to(const std::optional<BrushInHand>& then, std::optional<BrushInHand>& now,
-                     PaintFlows& flows) {
-    if (touch_of(now) == touch_of(then)) {
+template <class Brush>
+void return_brush_to(const Brush& then, Brush& now, PaintFlows& flows) {
+    if (is_same(now, then)) {
         now = then;
         return;
     }

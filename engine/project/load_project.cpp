@@ -193,12 +193,12 @@ bool is_possible(const brush::Contents& held) {
 
 /// What the index tells of a brush that the set-up has put there.
 void read_brush(const ZipReader& archive, const std::optional<BrushIndex>& told, const char* which,
-                const film::Medium& medium, std::optional<document::BrushInHand>& in_hand) {
-    if (told.has_value() != in_hand.has_value())
+                const film::Medium& medium, document::BrushInHand* set_up) {
+    if (told.has_value() != (set_up != nullptr))
         archive.fail(kIndexEntry, std::string("the brush ") + which + " is told of only in part.");
     if (!told) return;
     const BrushIndex& index = *told;
-    brush::Brush& brush = in_hand->brush;
+    brush::Brush& brush = set_up->brush;
     brush.gathering = index.gathering;
     brush.shape_tip();
     const Bytes content = read_packed(archive, index.held);
@@ -273,8 +273,11 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     read_layers(archive, index, setup.canvas, project, pool);
     if (index.well) read_well(archive, *index.well, painting, pool);
     const film::Medium medium = document::medium_of(value.medium);
-    read_brush(archive, index.brush, "in hand", medium, value.brush);
-    read_brush(archive, index.brush_aside, "aside", medium, value.brush_aside);
+    read_brush(archive, index.brush, "in hand", medium, value.brush ? &*value.brush : nullptr);
+    const auto aside =
+        value.brush_aside ? std::make_shared<document::BrushInHand>(*value.brush_aside) : nullptr;
+    read_brush(archive, index.brush_aside, "aside", medium, aside.get());
+    value.brush_aside = aside;
     if (index.selection) read_selection(archive, *index.selection, value);
     if (index.tracing) read_tracing(archive, *index.tracing, value);
     read_strokes(archive, index.strokes, setup.canvas, painting.tick, project);

@@ -109,19 +109,15 @@ struct FieldKeeper {
     void operator()(const std::optional<film::FilmState>& well) const {
         if (well) draft.index.well = add_surface({*well, painting.well_solver}, kWellFolder, draft);
     }
-    void operator()(const std::optional<document::BrushInHand>& brush) const {
-        if (&brush == &painting.value.brush)
-            draft.index.brush = add_brush(brush, kBrushEntry);
-        else
-            draft.index.brush_aside = add_brush(brush, kBrushAsideEntry);
+    void operator()(const std::optional<document::BrushInHand>& in_hand) const {
+        if (in_hand) draft.index.brush = add_brush(in_hand->brush, kBrushEntry);
     }
-    std::optional<BrushIndex> add_brush(const std::optional<document::BrushInHand>& in_hand,
-                                        const char* entry) const {
-        if (!in_hand) return std::nullopt;
-        const auto held = std::as_bytes(std::span(in_hand->brush.held));
-        return BrushIndex{in_hand->brush.strokes_begun, in_hand->brush.gathering,
-                          in_hand->brush.consistencies, in_hand->brush.media,
-                          add_packed(entry, held, draft.archive)};
+    void operator()(const document::BrushAside& aside) const {
+        if (aside) draft.index.brush_aside = add_brush(aside->brush, kBrushAsideEntry);
+    }
+    BrushIndex add_brush(const brush::Brush& brush, const char* entry) const {
+        return {brush.strokes_begun, brush.gathering, brush.consistencies, brush.media,
+                add_packed(entry, std::as_bytes(std::span(brush.held)), draft.archive)};
     }
     void operator()(const document::Selection& selection) const {
         if (selection)

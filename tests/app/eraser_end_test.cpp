@@ -61,6 +61,28 @@ TEST_F(EraserEndTest, AChangeOfTheBrushOutlivesTheEraser) {
     EXPECT_EQ(brushes_taken(), 1);
 }
 
+TEST_F(EraserEndTest, OnAnotherCanvasTheBrushComesBackDipped) {
+    easel_.take_brush("Filbert 14", 14.0);
+    end_.turn_over("Eraser 15", easel_);
+    actions_.clear();
+    easel_.set_up();
+    EXPECT_EQ(std::get<document::LayBrushAside>(actions_.back()).brush.preset, "Filbert 14");
+    EXPECT_TRUE(end_.turn_back(easel_));
+    EXPECT_EQ(easel_.hand().brush, "Filbert 14");
+    actions_.clear();
+    easel_.press(Pointer{});
+    EXPECT_TRUE(std::holds_alternative<document::TakeBrush>(actions_.front()));
+}
+
+TEST_F(EraserEndTest, WhereNoBrushLiesAsideTheToolStays) {
+    end_.turn_over("Eraser 15", easel_);
+    Hand opened = easel_.hand();
+    opened.brush_aside.reset();
+    easel_.adopt(opened);
+    EXPECT_FALSE(end_.turn_back(easel_));
+    EXPECT_EQ(easel_.hand().brush, "Eraser 15");
+}
+
 TEST_F(EraserEndTest, AHandThatIsFollowedHoldsTheSame) {
     easel_.take_brush("Filbert 14", 14.0);
     end_.turn_over("Eraser 15", easel_);

@@ -152,7 +152,7 @@ class WetMarkTest : public ::testing::Test {
     }
 
     QImage picture_{400, 240, QImage::Format_RGB32};
-    WetMark mark_{document::Surface::Canvas};
+    WetMark mark_;
     tools::Hand hand_;
     BrushOutline outline_;
     document::Snapshot shown_;

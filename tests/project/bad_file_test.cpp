@@ -293,8 +293,9 @@ TEST_F(BadProject, ABrushThatCannotBeIsRefused) {
                 HasSubstr("holds what none can"));
     EXPECT_THAT(with([](auto& brush) { brush.held.pop_back(); }), HasSubstr("paint of another brush"));
     Project aside = good;
-    aside.painting.value.brush_aside = good.painting.value.brush;
-    aside.painting.value.brush_aside->brush.held.pop_back();
+    auto brush = std::make_shared<document::BrushInHand>(*good.painting.value.brush);
+    brush->brush.held.pop_back();
+    aside.painting.value.brush_aside = brush;
     EXPECT_THAT(
         error_of_painting(aside),
         HasSubstr("pastoso/brush-aside.zst: holds the paint of another brush than the one aside"));

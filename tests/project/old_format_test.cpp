@@ -121,7 +121,7 @@ TEST_F(OldFormat, EightHasPaintOfTheMediumInHand) {
 /// A pen has erased since when a brush can lie aside.
 TEST_F(OldFormat, NineHasNoBrushAside) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-9.pastoso"), pool);
-    EXPECT_FALSE(old.painting.value.brush_aside.has_value());
+    EXPECT_EQ(old.painting.value.brush_aside, nullptr);
     EXPECT_TRUE(old.painting.value.brush->brush.holds_paint());
     EXPECT_EQ(old.notes, std::vector<std::string>());
     EXPECT_EQ(document::state_hash(old.painting), 0x4b576c071a99a065U);

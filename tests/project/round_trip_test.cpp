@@ -80,13 +80,19 @@ struct FieldComparer {
     void operator()(const std::optional<document::BrushInHand>& a,
                     const std::optional<document::BrushInHand>& b) const {
         ASSERT_EQ(a.has_value(), b.has_value());
-        if (!a) return;
-        EXPECT_EQ(a->brush.held, b->brush.held);
-        EXPECT_EQ(a->brush.consistencies, b->brush.consistencies);
-        EXPECT_EQ(a->brush.strokes_begun, b->brush.strokes_begun);
-        EXPECT_EQ(a->brush.gathering, b->brush.gathering);
-        EXPECT_EQ(a->taken.size_mm, b->taken.size_mm);
-        EXPECT_EQ(a->taken.seed, b->taken.seed);
+        if (a) (*this)(*a, *b);
+    }
+    void operator()(const document::BrushAside& a, const document::BrushAside& b) const {
+        ASSERT_EQ(a != nullptr, b != nullptr);
+        if (a) (*this)(*a, *b);
+    }
+    void operator()(const document::BrushInHand& a, const document::BrushInHand& b) const {
+        EXPECT_EQ(a.brush.held, b.brush.held);
+        EXPECT_EQ(a.brush.consistencies, b.brush.consistencies);
+        EXPECT_EQ(a.brush.strokes_begun, b.brush.strokes_begun);
+        EXPECT_EQ(a.brush.gathering, b.brush.gathering);
+        EXPECT_EQ(a.taken.size_mm, b.taken.size_mm);
+        EXPECT_EQ(a.taken.seed, b.taken.seed);
     }
     void operator()(const document::Selection& a, const document::Selection& b) const {
         ASSERT_EQ(a != nullptr, b != nullptr);

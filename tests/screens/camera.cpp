@@ -1,6 +1,7 @@
 #include "camera.hpp"
 
 #include "few_colours.hpp"
+#include "main/window_parts.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -243,8 +243,10 @@ void ProjectFiles::put_up_new_to_save(PreparedPainting& painting) {
 
 /// The brush that was in hand, as far as this window knows it; otherwise one is taken afresh.
 void ProjectFiles::take_up_hand(const document::Recording& past) {
-    const bool known = studio_.attempt(
-        [&] { studio_.easel().adopt(tools::hand_after(studio_.easel().hand(), past.events)); });
+    tools::Hand hand = studio_.easel().hand();
+    hand.brush_aside.reset();
+    const bool known =
+        studio_.attempt([&] { studio_.easel().adopt(tools::hand_after(std::move(hand), past.events)); });
     const bool has_brush = std::any_of(past.events.begin(), past.events.end(), [](const auto& event) {
         return std::holds_alternative<document::TakeBrush>(event.action);
     });

@@ -56,8 +56,7 @@ void Swatches::show_paint_in_hand() {
     interactions::PaintInHand paint{.held = tools::wet_colour(load_, view_)};
     if (hand.reload_each_stroke && tools::preset_in_hand(hand).dips)
         paint.dipped = tools::wet_colour(hand.paint, view_);
-    for (interactions::OnCanvas* on : studio_.on_views())
-        on->paint.set_paint(paint);
+    studio_.on_canvas().paint.set_paint(paint);
 }
 
 }  // namespace pastoso::main

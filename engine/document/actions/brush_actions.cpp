@@ -9,7 +9,7 @@
 namespace pastoso::document {
 namespace {
 
-BrushInHand clean_brush(const TakeBrush& take, const std::optional<BrushInHand>& before) {
+BrushInHand clean_brush(const TakeBrush& take, const BrushInHand* before) {
     brush::Brush brush(preset_of(take), take.size_mm, take.seed);
     if (before) brush.gathering.number = before->brush.gathering.number;
     brush.shape_tip();
@@ -19,10 +19,6 @@ BrushInHand clean_brush(const TakeBrush& take, const std::optional<BrushInHand>&
 TakeBrush told_in_full(TakeBrush take) {
     take.definition = brush::preset_to_json(preset_of(take));
     return take;
-}
-
-void wipe(std::optional<BrushInHand>& brush, PaintFlows& flows) {
-    if (brush) flows.wiped += brush->brush.clean();
 }
 
 }  // namespace
@@ -50,7 +46,7 @@ void check_possible(const LoadPaint&, const LivingPainting& painting) {
 }
 
 void put_in_hand(const TakeBrush& take, PaintingValue& painting) {
-    painting.brush = clean_brush(take, painting.brush);
+    painting.brush = clean_brush(take, painting.brush ? &*painting.brush : nullptr);
 }
 
 std::optional<TakeBrush> in_hand(std::type_identity<TakeBrush>, const PaintingValue& painting) {
@@ -59,7 +55,8 @@ std::optional<TakeBrush> in_hand(std::type_identity<TakeBrush>, const PaintingVa
 }
 
 void put_in_hand(const LayBrushAside& lay, PaintingValue& painting) {
-    painting.brush_aside = clean_brush(lay.brush, painting.brush_aside);
+    painting.brush_aside =
+        std::make_shared<const BrushInHand>(clean_brush(lay.brush, painting.brush_aside.get()));
 }
 
 std::optional<LayBrushAside> in_hand(std::type_identity<LayBrushAside>, const PaintingValue& painting) {
@@ -69,22 +66,24 @@ std::optional<LayBrushAside> in_hand(std::type_identity<LayBrushAside>, const Pa
 
 void apply(const TakeBrush& take, LivingPainting& painting) {
     PaintingValue& value = painting.value;
-    wipe(value.brush, value.flows);
+    if (value.brush) value.flows.wiped += value.brush->brush.clean();
     put_in_hand(take, value);
     painting.touch_brush();
 }
 
 void apply(const LayBrushAside& lay, LivingPainting& painting) {
     PaintingValue& value = painting.value;
-    wipe(value.brush_aside, value.flows);
+    if (value.brush_aside) value.flows.wiped += value.brush_aside->brush.contents();
     put_in_hand(lay, value);
-    painting.touch_brush();
 }
 
 void apply(const SwapBrushes&, LivingPainting& painting) {
     PaintingValue& value = painting.value;
-    if (!value.brush_aside) return;
-    std::swap(value.brush, value.brush_aside);
+    if (value.brush_aside == nullptr) return;
+    const BrushAside taken = std::move(value.brush_aside);
+    value.brush_aside =
+        value.brush ? std::make_shared<const BrushInHand>(*std::move(value.brush)) : nullptr;
+    value.brush = *taken;
     painting.touch_brush();
 }
 
