@@ -17,7 +17,7 @@ Paint::Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface su
     : canvas_(canvas), easel_(easel), surface_(surface) {
     waiting_.setInterval(kWait_ms);
     connect(&waiting_, &QTimer::timeout, this, [this] {
-        mark_.rest();
+        if (mark_.rest()) canvas_.refresh();
         easel_.wait(0.001 * kWait_ms, surface_);
         if (!easel_.painting()) waiting_.stop();
     });

@@ -11,6 +11,9 @@ namespace {
 /// The brush follows the hand about so late, and the screen the brush: that is made up for.
 constexpr double kLag_s = 0.024;
 
+/// After that a brush without further steadying is where the hand rests.
+constexpr double kCatchUp_s = 0.1;
+
 /// One sample more lies in between: the path is behind by one.
 constexpr int kForetold = 3;
 
@@ -24,7 +27,7 @@ void StrokeAhead::begin(const brush::HandPath& path, const brush::PenSample& sam
     path_->begin(sample);
     take_steps(number);
     forecast_.start(sample);
-    foretells_ = true;
+    rests_ = false;
 }
 
 void StrokeAhead::add(const brush::PenSample& sample, std::uint64_t number) {
@@ -33,7 +36,7 @@ void StrokeAhead::add(const brush::PenSample& sample, std::uint64_t number) {
     path_->add(sample);
     take_steps(number);
     forecast_.add(sample);
-    foretells_ = true;
+    rests_ = false;
 }
 
 void StrokeAhead::turn(double rotation_deg) {
@@ -80,11 +83,19 @@ void StrokeAhead::take_steps(std::uint64_t number) {
     shown(shown_);
 }
 
+/// The paint of a hand that rests stays behind until that moves on or lifts.
+brush::PenSample StrokeAhead::expected(int number) const {
+    if (!rests_) return forecast_.after(kLag_s * number / (kForetold - 1));
+    brush::PenSample there = samples_.back().pen;
+    there.time_s += kCatchUp_s * number / (kForetold - 1);
+    return there;
+}
+
 std::vector<brush::PathStep> StrokeAhead::foretold() const {
-    if (!path_ || !foretells_) return {};
+    if (!path_) return {};
     brush::HandPath path = *path_;
     for (int i = 1; i <= kForetold; ++i)
-        path.add(forecast_.after(kLag_s * i / (kForetold - 1)));
+        path.add(expected(i));
     return path.take_steps();
 }
 

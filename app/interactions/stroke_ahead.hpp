@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pastoso::interactions {
@@ -25,8 +26,8 @@ class StrokeAhead {
 
     void end(std::uint64_t number);
 
-    /// The hand rests: it is not expected any farther than it has been.
-    void rest() { foretells_ = false; }
+    /// The hand rests: the brush is expected to come to where it is. False: that is known already.
+    bool rest() { return !std::exchange(rests_, true); }
 
     /// The screen shows the actions up to this one.
     void shown(std::uint64_t number);
@@ -44,6 +45,7 @@ class StrokeAhead {
         std::uint64_t number;  ///< of the action that told it, or led there
     };
     void take_steps(std::uint64_t number);
+    brush::PenSample expected(int number) const;
     std::vector<brush::PathStep> foretold() const;
 
     std::optional<brush::HandPath> lifted_, path_;  ///< before the stroke; none after it
@@ -51,7 +53,7 @@ class StrokeAhead {
     std::deque<Told> places_;                       ///< but for those before the last one shown
     std::uint64_t shown_ = 0;
     input::PenForecast forecast_;
-    bool foretells_ = false;
+    bool rests_ = true;
 };
 
 }  // namespace pastoso::interactions

@@ -37,7 +37,8 @@ class WetMark {
     /// Another painting comes, with other numbers.
     void clear() { ahead_ = {}; }
 
-    void rest() { ahead_.rest(); }
+    /// False: it stays as it is.
+    bool rest() { return ahead_.rest(); }
 
     /// Over a frame that shows this. False: nothing is ahead of it, or it is not marked.
     bool draw(const document::Snapshot& shown, const view::Overlay& overlay,

@@ -35,15 +35,19 @@ void ProjectFiles::replay(const document::Recording& recording) {
 }
 
 void ProjectFiles::replay_file(const std::filesystem::path& recording) {
+    make_canvas_of(recording, [this](PreparedPainting& painting, const document::Recording& read) {
+        put_up_new(painting);
+        replay(read);
+    });
+}
+
+void ProjectFiles::make_canvas_of(const std::filesystem::path& recording, const PutUpWith& put_up) {
     const QString name = QString::fromStdString(recording.filename().string());
-    make(tr("Opening %1").arg(name), [this, recording, terms = journal_terms()](const auto&) {
+    make(tr("Opening %1").arg(name), [=, terms = journal_terms()](const auto&) {
         const document::Recording read = recordings::read_recording_json(recording);
         const auto painting =
             std::make_shared<PreparedPainting>(bare_painting(read.canvas), journal::Beginning{}, terms);
-        return [this, read, painting] {
-            put_up_new(*painting);
-            replay(read);
-        };
+        return [=] { put_up(*painting, read); };
     });
 }
 
@@ -83,15 +87,9 @@ void ProjectFiles::ask_to_recover(const std::filesystem::path& journal) {
 
 void ProjectFiles::ask_to_watch(const std::filesystem::path& recording) {
     if (!may_discard()) return;
-    const QString name = QString::fromStdString(recording.filename().string());
-    make(tr("Opening %1").arg(name), [this, recording, terms = journal_terms()](const auto&) {
-        const document::Recording read = recordings::read_recording_json(recording);
-        const auto painting =
-            std::make_shared<PreparedPainting>(bare_painting(read.canvas), journal::Beginning{}, terms);
-        return [this, read, painting] {
-            put_up_watched(*painting, read);
-            studio_.report(tr("Painted from its strokes; the brush is yours when it is done."));
-        };
+    make_canvas_of(recording, [this](PreparedPainting& painting, const document::Recording& read) {
+        put_up_watched(painting, read);
+        studio_.report(tr("Painted from its strokes; the brush is yours when it is done."));
     });
 }
 

@@ -114,6 +114,8 @@ class ProjectFiles : public QObject {
   private:
     /// Puts it on the easel where that is agreed to when it is there.
     void make(const QString& words, Loading::Make work);
+    using PutUpWith = std::function<void(PreparedPainting&, const document::Recording&)>;
+    void make_canvas_of(const std::filesystem::path& recording, const PutUpWith& put_up);
     bool may_replace();
     void put_up(PreparedPainting& painting);
     void put_up_new(PreparedPainting& painting);
