@@ -15,6 +15,9 @@ namespace {
 /// A brush that holds less of its capacity leaves hardly a trace.
 constexpr double kSpent = 0.02;
 
+/// One that holds less lays a film with gaps.
+constexpr double kGapless = 0.3;
+
 /// Nothing for paint that has no colour of its own.
 std::optional<pigment::LinearRgb> masstone_of(const film::PaintCoefficients& paint) {
     constexpr float kColourless_per_mm = 1e-3F;
@@ -73,7 +76,9 @@ std::optional<WetColour> wet_colour(const brush::LoadProfile& load, const Swatch
     if (load.fill < kSpent) return std::nullopt;
     for (float& coefficient : mean)
         coefficient /= static_cast<float>(fill);
-    return wet_colour(mean, view);
+    WetColour colour = wet_colour(mean, view);
+    colour.opacity *= std::min(1.0, load.fill / kGapless);
+    return colour;
 }
 
 document::PaintRecipe tube_paint(const std::string& ci_name) {

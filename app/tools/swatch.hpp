@@ -39,7 +39,7 @@ struct WetColour {
 WetColour wet_colour(const film::PaintCoefficients& paint, const SwatchView& view);
 WetColour wet_colour(const document::PaintRecipe& paint, const SwatchView& view);
 
-/// Of all that is in a brush; nothing where that is hardly anything.
+/// Of all that is in a brush, fainter where it runs dry; nothing where that is hardly anything.
 std::optional<WetColour> wet_colour(const brush::LoadProfile& load, const SwatchView& view);
 
 /// The paint of the tube of that Colour Index name, the clear medium for none, and one part of it in

@@ -83,6 +83,9 @@ TEST(WetColour, OfALoadIsTheMeanByHowFullItsStripesAre) {
     load.stripes[3] = {0.25, blue};
     load.stripes[4] = {0.25, blue};
     EXPECT_EQ(wet_colour(load, view), wet_colour(blue, view));
+    load.fill = 0.15;
+    EXPECT_DOUBLE_EQ(wet_colour(load, view)->opacity, 0.5 * wet_colour(blue, view).opacity);
+    load.fill = 0.5;
     load.stripes[9] = {0.5, document::mixed_paint(tube_paint("PW6"), view.medium)};
     EXPECT_GT(brightness(wet_colour(load, view)->colour),
               brightness(wet_colour(blue, view).colour) + 30);
