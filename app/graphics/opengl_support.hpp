@@ -9,9 +9,8 @@ namespace pastoso::graphics {
 /// application.
 void ask_for_opengl();
 
-/// Windows from now on have 10 bits a colour where the display has them, which on X11 is a screen of
-/// depth
-/// 30. With a QApplication, before the first window.
+/// Windows from now on have 10 bits a colour where the display has them: on X11, a screen of depth 30.
+/// With a QApplication, before the first window.
 void ask_for_deep_colour();
 
 /// Whether they have.

@@ -1,8 +1,5 @@
 #include "interactions/stroke_ahead.hpp"
 
-#include "core/check.hpp"
-
-#include <algorithm>
 #include <utility>
 
 namespace pastoso::interactions {
@@ -41,7 +38,6 @@ void StrokeAhead::add(const brush::PenSample& sample, std::uint64_t number) {
 
 void StrokeAhead::turn(double rotation_deg) {
     if (!path_) return;
-    places_.clear();
     const auto samples = std::exchange(samples_, {});
     for (Told told : samples) {
         told.pen.rotation_deg = rotation_deg;
@@ -50,7 +46,6 @@ void StrokeAhead::turn(double rotation_deg) {
         else
             add(told.pen, told.number);
     }
-    shown(shown_);
 }
 
 void StrokeAhead::end(std::uint64_t number) {

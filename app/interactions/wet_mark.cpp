@@ -42,7 +42,6 @@ bool lays_films(const brush::Preset& tool) {
 
 QPainterPath path_of(const std::vector<std::vector<glm::vec2>>& outlines_mm,
                      const brush::Placement& copy, const view::Overlay& overlay, double point_px) {
-    const screen::OverlayFrame& frame = overlay.canvas;
     QPainterPath path;
     path.setFillRule(Qt::WindingFill);
     for (const auto& outline : outlines_mm) {
@@ -50,7 +49,7 @@ QPainterPath path_of(const std::vector<std::vector<glm::vec2>>& outlines_mm,
         for (const glm::vec2& mm : outline) {
             const glm::dvec2 there(copy.xx * mm.x + copy.xy * mm.y + copy.x_mm,
                                    copy.yx * mm.x + copy.yy * mm.y + copy.y_mm);
-            const glm::dvec2 px = frame.origin_px + frame.px_from_mm * there;
+            const glm::dvec2 px = overlay.canvas.device_px(there);
             points << QPointF(px.x, px.y) / point_px;
         }
         path.addPolygon(points);

@@ -3,6 +3,7 @@
 #include "graphics/opengl_support.hpp"
 #include "main/program/application.hpp"
 #include "main/queued_refresh.hpp"
+#include "main/sentence.hpp"
 
 #include <utility>
 
@@ -12,16 +13,6 @@
 #include <QStatusBar>
 
 namespace pastoso::main {
-namespace {
-
-/// As a sentence of its own.
-QString sentence_of(const std::string& fault) {
-    QString sentence = QString::fromStdString(fault);
-    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
-    return sentence;
-}
-
-}  // namespace
 
 Studio::Studio(QMainWindow& window)
     : window_(window),

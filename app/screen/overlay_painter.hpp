@@ -17,6 +17,8 @@ struct OverlayFrame {
     glm::dvec2 origin_px{};  ///< of the millimetres, in device pixels, y down
     glm::dmat2 px_from_mm{1.0};
     QSize window_px;
+
+    glm::dvec2 device_px(const glm::dvec2& place_mm) const { return origin_px + px_from_mm * place_mm; }
 };
 
 /// Lines are dark and light side by side, seen on any paint.

@@ -10,7 +10,7 @@ QPolygonF in_points(const std::vector<glm::vec2>& points_mm, const OverlayFrame&
                     double point_px) {
     QPolygonF points;
     for (const glm::vec2& mm : points_mm) {
-        const glm::dvec2 px = frame.origin_px + frame.px_from_mm * glm::dvec2(mm);
+        const glm::dvec2 px = frame.device_px(mm);
         points << QPointF(px.x, px.y) / point_px;
     }
     return points;

@@ -1,4 +1,5 @@
 // Mouse, pen and fingers beside one another in the real window.
+#include "app/latest_stroke.hpp"
 #include "app/window_fixture.hpp"
 #include "document/actions/actions.hpp"
 
@@ -61,18 +62,7 @@ class HandWindow : public WindowTest {
         return session().status().strokes;
     }
 
-    /// The latest stroke's samples, as the painting was told of them.
-    std::vector<brush::PenSample> latest_stroke() {
-        session().wait_until_applied();
-        std::vector<brush::PenSample> samples;
-        for (const document::Event& event : session().recording().events) {
-            if (const auto* down = std::get_if<document::PenDown>(&event.action))
-                samples = {down->sample};
-            if (const auto* move = std::get_if<document::PenMove>(&event.action))
-                samples.push_back(move->sample);
-        }
-        return samples;
-    }
+    std::vector<brush::PenSample> latest_stroke() { return tests::latest_stroke(session()); }
     std::vector<glm::dvec2> latest_stroke_mm() {
         std::vector<glm::dvec2> places;
         for (const brush::PenSample& sample : latest_stroke())

@@ -1,5 +1,6 @@
 // A pen of the X server, from its driver to the painting: pressure, tilt, both ends, many events.
 // Runs under with_tablet.sh.
+#include "app/latest_stroke.hpp"
 #include "app/window_fixture.hpp"
 #include "document/actions/actions.hpp"
 
@@ -76,17 +77,7 @@ class TabletWindow : public WindowTest {
         session().wait_until_applied();
         return session().status().strokes;
     }
-    std::vector<brush::PenSample> latest_stroke() {
-        session().wait_until_applied();
-        std::vector<brush::PenSample> samples;
-        for (const document::Event& event : session().recording().events) {
-            if (const auto* down = std::get_if<document::PenDown>(&event.action))
-                samples = {down->sample};
-            if (const auto* move = std::get_if<document::PenMove>(&event.action))
-                samples.push_back(move->sample);
-        }
-        return samples;
-    }
+    std::vector<brush::PenSample> latest_stroke() { return tests::latest_stroke(session()); }
 
     PenEnd tip_{"pen"}, eraser_{"eraser"};
 };

@@ -1,5 +1,6 @@
 #include "main/files/loading.hpp"
 
+#include "main/sentence.hpp"
 #include "main/studio.hpp"
 #include "panels/parts/work_progress.hpp"
 
@@ -133,8 +134,7 @@ void Loading::end() {
 }
 
 void Loading::fail(const std::string& fault) {
-    QString sentence = QString::fromStdString(fault);
-    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+    const QString sentence = sentence_of(fault);
     studio_.messages().raise({panels::Matter::Opening, sentence});
     Q_EMIT failed(sentence);
 }

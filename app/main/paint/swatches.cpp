@@ -25,7 +25,6 @@ void Swatches::follow_hand(const tools::Hand& hand) {
     view.medium = document::medium_of(hand.medium);
     view.spot.film_mm = tools::film_in_hand_mm(hand);
     show(view);
-    show_paint_in_hand();
 }
 
 void Swatches::follow_ground(const document::Snapshot& painting) {
@@ -43,11 +42,12 @@ void Swatches::follow_light() {
 }
 
 void Swatches::show(const tools::SwatchView& view) {
-    if (view == view_) return;
-    view_ = view;
-    panels_.paints->show_swatches(view_);
-    panels_.load->show_swatches(view_);
-    panels_.colours->show_swatches(view_);
+    if (view != view_) {
+        view_ = view;
+        panels_.paints->show_swatches(view_);
+        panels_.load->show_swatches(view_);
+        panels_.colours->show_swatches(view_);
+    }
     show_paint_in_hand();
 }
 
