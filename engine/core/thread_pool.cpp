@@ -70,7 +70,8 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::run(std::size_t count, const std::function<void(std::size_t, int)>& body) {
-    if (workers_.empty() || count <= 1) {
+    Loop* const loop = workers_.empty() || count <= 1 ? nullptr : free_loop();
+    if (loop == nullptr) {
         for (std::size_t index = 0; index < count; ++index)
             body(index, 0);
         return;
@@ -79,17 +80,26 @@ void ThreadPool::run(std::size_t count, const std::function<void(std::size_t, in
     const std::function<void(std::size_t, int)> kept_body = [&kept](std::size_t index, int worker) {
         kept.call(index, worker);
     };
-    body_ = &kept_body;
-    count_ = count;
-    next_ = 0;
-    workers_inside_.store(0, std::memory_order_release);
+    loop->body = &kept_body;
+    loop->count = count;
+    loop->next = 0;
+    loop->workers_inside.store(0, std::memory_order_release);
     start_workers();
-    take_indices(0);
-    unsigned inside = workers_inside_.fetch_or(kClosed, std::memory_order_acq_rel) | kClosed;
-    for (; inside != kClosed; inside = workers_inside_.load(std::memory_order_acquire))
-        wait_while(workers_inside_, inside);
-    body_ = nullptr;
+    loop->take_indices(0);
+    unsigned inside = loop->workers_inside.fetch_or(kClosed, std::memory_order_acq_rel) | kClosed;
+    for (; inside != kClosed; inside = loop->workers_inside.load(std::memory_order_acquire))
+        wait_while(loop->workers_inside, inside);
+    loop->taken.store(false, std::memory_order_release);
     kept.throw_what_was_thrown();
+}
+
+/// Null when there is none.
+ThreadPool::Loop* ThreadPool::free_loop() {
+    for (Loop& loop : loops_)
+        if (!loop.taken.load(std::memory_order_relaxed) &&
+            !loop.taken.exchange(true, std::memory_order_acquire))
+            return &loop;
+    return nullptr;
 }
 
 void ThreadPool::start_workers() {
@@ -104,25 +114,30 @@ void ThreadPool::work(int worker) {
         seen_generation = generation_.load(std::memory_order_acquire);
         if (stopping_) return;
         if (nice != nice_) core::lower_priority(nice = nice_);
-        if (!enter()) continue;
-        take_indices(worker);
-        if (workers_inside_.fetch_sub(1, std::memory_order_acq_rel) == (kClosed | 1U))
-            workers_inside_.notify_one();
+        for (Loop& loop : loops_)
+            loop.help(worker);
     }
 }
 
-bool ThreadPool::enter() {
-    unsigned inside = workers_inside_.load(std::memory_order_acquire);
+void ThreadPool::Loop::help(int worker) {
+    if (!enter()) return;
+    take_indices(worker);
+    if (workers_inside.fetch_sub(1, std::memory_order_acq_rel) == (kClosed | 1U))
+        workers_inside.notify_one();
+}
+
+bool ThreadPool::Loop::enter() {
+    unsigned inside = workers_inside.load(std::memory_order_acquire);
     while ((inside & kClosed) == 0)
-        if (workers_inside_.compare_exchange_weak(inside, inside + 1, std::memory_order_acq_rel,
-                                                  std::memory_order_acquire))
+        if (workers_inside.compare_exchange_weak(inside, inside + 1, std::memory_order_acq_rel,
+                                                 std::memory_order_acquire))
             return true;
     return false;
 }
 
-void ThreadPool::take_indices(int worker) {
-    for (std::size_t index = next_++; index < count_; index = next_++)
-        (*body_)(index, worker);
+void ThreadPool::Loop::take_indices(int worker) {
+    for (std::size_t index = next++; index < count; index = next++)
+        (*body)(index, worker);
 }
 
 }  // namespace pastoso::core

@@ -3,6 +3,7 @@
 // order.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -26,26 +27,35 @@ class ThreadPool {
     int thread_count() const { return static_cast<int>(workers_.size()) + 1; }
 
     /// Calls body(index, worker) once for every index in [0, count), worker in [0, thread_count()), and
-    /// returns when all calls have. Throws one of what the body threw. The body must not call run() of
-    /// the same pool, and only one thread at a time may call run().
+    /// returns when all calls have. Throws one of what the body threw. Several threads may call run() at
+    /// once, each with a loop of its own, and so may a body: who finds no thread free does the loop
+    /// alone.
     void run(std::size_t count, const std::function<void(std::size_t index, int worker)>& body);
 
   private:
-    void work(int worker);
-    void take_indices(int worker);
-    void start_workers();
-    /// False when the run is over: who calls run() waits for no thread that comes too late, as on a busy
-    /// machine it may, but only for those that have entered.
-    bool enter();
-
     static constexpr unsigned kClosed = 1U << 31;
 
-    const std::function<void(std::size_t, int)>* body_ = nullptr;
-    std::size_t count_ = 0;
-    std::atomic<std::size_t> next_ = 0;
+    /// Room for a loop under way, on a cache line of its own.
+    struct alignas(64) Loop {
+        const std::function<void(std::size_t, int)>* body = nullptr;
+        std::size_t count = 0;
+        std::atomic<std::size_t> next = 0;
+        std::atomic<unsigned> workers_inside = kClosed;  ///< kClosed when it takes no more
+        std::atomic<bool> taken = false;
+
+        void take_indices(int worker);
+        /// False when the loop is over: who calls run() waits for no thread that comes too late, as on a
+        /// busy machine it may, but only for those that have entered.
+        bool enter();
+        void help(int worker);
+    };
+
+    void work(int worker);
+    void start_workers();
+    Loop* free_loop();
+
+    std::array<Loop, 4> loops_;
     std::atomic<unsigned> generation_ = 0;  ///< counts the runs
-    std::atomic<unsigned> workers_inside_ =
-        kClosed;  ///< of the run under way; kClosed when it takes no more
     std::atomic<bool> stopping_ = false;
     std::atomic<int> nice_ = 0;
     std::vector<std::thread> workers_;
