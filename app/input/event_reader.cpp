@@ -71,18 +71,19 @@ PointerEvent EventReader::read(const QTabletEvent& event) const {
     return read;
 }
 
-PointerEvent EventReader::finger(Kind kind, const QPointF& place, std::uint64_t time_ms,
+PointerEvent EventReader::finger(Kind kind, const Finger& finger, std::uint64_t time_ms,
                                  Qt::KeyboardModifiers modifiers) {
     if (kind == Kind::Press) mouse_pressure_ = {};  // it comes from nowhere
-    PointerEvent finger;
-    finger.kind = kind;
-    finger.device = Device::Finger;
-    finger.place = place;
-    finger.button = kind == Kind::Move ? Qt::NoButton : Qt::LeftButton;
-    if (kind == Kind::Press || kind == Kind::Move) finger.buttons = Qt::LeftButton;
-    finger.modifiers = modifiers;
-    finger.pointer = pressing_at(place, time_ms);
-    return finger;
+    PointerEvent told;
+    told.kind = kind;
+    told.device = Device::Finger;
+    told.contact = finger.id;
+    told.place = finger.place;
+    told.button = kind == Kind::Move ? Qt::NoButton : Qt::LeftButton;
+    if (kind == Kind::Press || kind == Kind::Move) told.buttons = Qt::LeftButton;
+    told.modifiers = modifiers;
+    told.pointer = pressing_at(finger.place, time_ms);
+    return told;
 }
 
 }  // namespace pastoso::input

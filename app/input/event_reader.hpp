@@ -1,6 +1,7 @@
 // Makes one kind of event of what Qt tells of mouse, pens and fingers.
 #pragma once
 
+#include "input/finger.hpp"
 #include "input/pointer_event.hpp"
 #include "tools/mouse_pressure.hpp"
 #include "tools/pen_settings.hpp"
@@ -21,7 +22,7 @@ class EventReader {
     PointerEvent read(const QTabletEvent& event) const;
 
     /// One finger, which does the work of a mouse's left button.
-    PointerEvent finger(Kind kind, const QPointF& place, std::uint64_t time_ms,
+    PointerEvent finger(Kind kind, const Finger& finger, std::uint64_t time_ms,
                         Qt::KeyboardModifiers modifiers);
 
   private:

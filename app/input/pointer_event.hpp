@@ -19,6 +19,7 @@ enum class Kind { Move, Press, Release, Cancel };
 struct PointerEvent {
     Kind kind = Kind::Move;
     Device device = Device::Mouse;
+    int contact = 0;                          ///< which of the fingers that are down, by its number
     QPointF place;                            ///< on the view, in pixels of the layout
     QPoint desktop;                           ///< the same place on the desktop
     Qt::MouseButton button = Qt::NoButton;    ///< that is pressed or released

@@ -17,8 +17,14 @@ double distance(const QPointF& a, const QPointF& b) {
     return QLineF(a, b).length();
 }
 
-TouchStep at(TouchStep::Does does, const QPointF& place) {
-    return {.does = does, .place = place, .from = {}, .to = {}};
+TouchStep by(TouchStep::Does does, const Finger& finger) {
+    return {.does = does, .finger = finger};
+}
+
+/// Null when it has lifted.
+const Finger* same(const Finger& finger, const std::vector<Finger>& down) {
+    const auto found = std::ranges::find(down, finger.id, &Finger::id);
+    return found == down.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -28,29 +34,41 @@ std::vector<TouchStep> TouchGestures::follow(const std::vector<Finger>& down, st
     if (down.empty()) return lift(time_ms);
     if (does_ == Does::Start) {
         does_ = Does::Wait;
-        from_ = last_ = down.front().place;
+        first_ = last_ = down.front();
         began_ms_ = time_ms;
     }
     most_ = std::max(most_, static_cast<int>(down.size()));
-    if (down.size() >= 2) return pinch(down[0], down[1], yields);
-    return work(down.front().place);
+    const bool pinches = down.size() >= 2 && (does_ != Does::Work || yields);
+    if (pinches) return pinch(down[0], down[1]);
+    if (does_ != Does::Wait && does_ != Does::Work) return {};
+    if (const Finger* finger = same(first_, down)) return work(*finger);
+    return lift_first();
 }
 
-std::vector<TouchStep> TouchGestures::work(const QPointF& place) {
-    if (does_ != Does::Wait && does_ != Does::Work) return {};
-    if (does_ == Does::Wait && distance(place, from_) < kStill_px) return {};
+std::vector<TouchStep> TouchGestures::work(const Finger& finger) {
+    if (does_ == Does::Wait && distance(finger.place, first_.place) < kStill_px) return {};
+    if (does_ == Does::Work && finger.place == last_.place) return {};  // another one moved
     std::vector<TouchStep> steps;
     if (std::exchange(does_, Does::Work) == Does::Wait)
-        steps.push_back(at(TouchStep::Does::Press, from_));
-    last_ = place;
-    steps.push_back(at(TouchStep::Does::Move, place));
+        steps.push_back(by(TouchStep::Does::Press, first_));
+    last_ = finger;
+    steps.push_back(by(TouchStep::Does::Move, finger));
     return steps;
 }
 
-std::vector<TouchStep> TouchGestures::pinch(const Finger& first, const Finger& second, bool yields) {
+/// One that hardly moved leaves a touch of paint. Others that are down have nothing to do.
+std::vector<TouchStep> TouchGestures::lift_first() {
     std::vector<TouchStep> steps;
-    if (does_ == Does::Nothing || (does_ == Does::Work && !yields)) return steps;
-    if (does_ == Does::Work) steps.push_back(at(TouchStep::Does::Release, last_));
+    if (does_ == Does::Wait) steps.push_back(by(TouchStep::Does::Press, first_));
+    if (does_ == Does::Wait || does_ == Does::Work) steps.push_back(by(TouchStep::Does::Release, last_));
+    does_ = Does::Nothing;
+    return steps;
+}
+
+std::vector<TouchStep> TouchGestures::pinch(const Finger& first, const Finger& second) {
+    std::vector<TouchStep> steps;
+    if (does_ == Does::Nothing) return steps;
+    if (does_ == Does::Work) steps.push_back(by(TouchStep::Does::Release, last_));
     const std::array ids{first.id, second.id};
     const std::array now{first.place, second.place};
     if (std::exchange(does_, Does::Pinch) != Does::Pinch || ids != ids_) {
@@ -61,26 +79,22 @@ std::vector<TouchStep> TouchGestures::pinch(const Finger& first, const Finger& s
     const double way = std::max(distance(now[0], pinched_[0]), distance(now[1], pinched_[1]));
     if (!moved_ && way < kStill_px) return steps;
     moved_ = true;
-    steps.push_back({.does = TouchStep::Does::Pinch, .place = {}, .from = pinched_, .to = now});
+    steps.push_back({.does = TouchStep::Does::Pinch, .from = pinched_, .to = now});
     pinched_ = now;
     return steps;
 }
 
-/// A finger that hardly moved leaves a touch of paint.
 std::vector<TouchStep> TouchGestures::lift(std::uint64_t time_ms) {
-    std::vector<TouchStep> steps;
-    if (does_ == Does::Wait) steps.push_back(at(TouchStep::Does::Press, from_));
-    if (does_ == Does::Wait || does_ == Does::Work) steps.push_back(at(TouchStep::Does::Release, last_));
-    if (does_ == Does::Pinch && !moved_ && time_ms - began_ms_ <= kTap_ms)
-        steps.push_back(
-            {.does = TouchStep::Does::Tap, .place = {}, .from = {}, .to = {}, .fingers = most_});
+    const bool taps = does_ == Does::Pinch && !moved_ && time_ms - began_ms_ <= kTap_ms;
+    std::vector<TouchStep> steps = lift_first();
+    if (taps) steps.push_back({.does = TouchStep::Does::Tap, .fingers = most_});
     *this = {};
     return steps;
 }
 
 std::vector<TouchStep> TouchGestures::cancel() {
     std::vector<TouchStep> steps;
-    if (does_ == Does::Work) steps.push_back(at(TouchStep::Does::Cancel, last_));
+    if (does_ == Does::Work) steps.push_back(by(TouchStep::Does::Cancel, last_));
     *this = {};
     return steps;
 }

@@ -2,36 +2,30 @@
 // of two and three are commands.
 #pragma once
 
+#include "input/finger.hpp"
+
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include <QPointF>
-
 namespace pastoso::input {
-
-/// One that is down, on the view in pixels of the layout.
-struct Finger {
-    int id = 0;
-    QPointF place;
-};
 
 struct TouchStep {
     enum class Does {
-        Press,  ///< one finger, at `place`
+        Press,  ///< one finger
         Move,
         Release,
         Cancel,  ///< what it began was not meant
         Pinch,   ///< two go `from` there `to` here
         Tap,     ///< so many `fingers` at once
     } does;
-    QPointF place;
-    std::array<QPointF, 2> from, to;
+    Finger finger{};
+    std::array<QPointF, 2> from{}, to{};
     int fingers = 0;
 };
 
 /// Knows what the fingers do between the first that comes down and the last that lifts. One that hardly
-/// moves waits: it may be the first of two, or be held.
+/// moves waits: it may be the first of two, or be held. While one works, no other takes its place.
 class TouchGestures {
   public:
     /// All fingers that are down after an event, and its moment. `yields`: what one finger does ends
@@ -43,7 +37,7 @@ class TouchGestures {
 
     /// Whether one finger waits. A finger that has waited for kHold_ms is held.
     bool waits() const { return does_ == Does::Wait; }
-    const QPointF& waits_at() const { return from_; }
+    const QPointF& waits_at() const { return first_.place; }
 
     /// It has been held, which was all that it meant.
     void spend() { does_ = Does::Nothing; }
@@ -53,13 +47,14 @@ class TouchGestures {
   private:
     enum class Does { Start, Wait, Work, Pinch, Nothing };
 
-    std::vector<TouchStep> work(const QPointF& place);
-    std::vector<TouchStep> pinch(const Finger& first, const Finger& second, bool yields);
+    std::vector<TouchStep> work(const Finger& finger);
+    std::vector<TouchStep> lift_first();
+    std::vector<TouchStep> pinch(const Finger& first, const Finger& second);
     std::vector<TouchStep> lift(std::uint64_t time_ms);
 
     Does does_ = Does::Start;
-    QPointF from_;  ///< where the first came down
-    QPointF last_;  ///< where it was then
+    Finger first_;  ///< where it came down
+    Finger last_;   ///< where it was then
     std::uint64_t began_ms_ = 0;
     int most_ = 0;  ///< that were down at once
     std::array<int, 2> ids_{};

@@ -61,16 +61,16 @@ void CanvasView::follow(const std::vector<input::TouchStep>& steps) {
     for (const input::TouchStep& step : steps) {
         switch (step.does) {
             case Does::Press:
-                finger_does(input::Kind::Press, step.place);
+                finger_does(input::Kind::Press, step.finger);
                 break;
             case Does::Move:
-                finger_does(input::Kind::Move, step.place);
+                finger_does(input::Kind::Move, step.finger);
                 break;
             case Does::Release:
-                finger_does(input::Kind::Release, step.place);
+                finger_does(input::Kind::Release, step.finger);
                 break;
             case Does::Cancel:
-                finger_does(input::Kind::Cancel, step.place);
+                finger_does(input::Kind::Cancel, step.finger);
                 break;
             case Does::Pinch:
                 pinch({device_px(step.from[0]), device_px(step.from[1])},
@@ -83,8 +83,8 @@ void CanvasView::follow(const std::vector<input::TouchStep>& steps) {
 }
 
 /// Where it lifts there is no pointer any more.
-void CanvasView::finger_does(input::Kind kind, const QPointF& place) {
-    deliver(reader_.finger(kind, place, touched_ms_, touch_modifiers_));
+void CanvasView::finger_does(input::Kind kind, const input::Finger& finger) {
+    deliver(reader_.finger(kind, finger, touched_ms_, touch_modifiers_));
     if (kind != input::Kind::Release && kind != input::Kind::Cancel) return;
     pointer_.reset();
     screen_->refresh();

@@ -180,7 +180,7 @@ class CanvasView : public QWidget, private screen::ScreenHost {
     bool touch(QTouchEvent& event);
     void follow(const std::vector<input::TouchStep>& steps);
     void pinch(const screen::Fingers& from_px, const screen::Fingers& to_px);
-    void finger_does(input::Kind kind, const QPointF& place);
+    void finger_does(input::Kind kind, const input::Finger& finger);
     void drop_fingers();
     void hold_finger();
 

@@ -38,11 +38,11 @@ TEST_F(Touching, OneFingerWaitsUntilItMovesAndBeginsWhereItCameDown) {
     EXPECT_TRUE(gestures_.waits());
     EXPECT_EQ(down({{7, {103, 50}}}), "");
     EXPECT_EQ(down({{7, {109, 50}}}), "PM");
-    EXPECT_EQ(steps_[0].place, QPointF(100, 50));
-    EXPECT_EQ(steps_[1].place, QPointF(109, 50));
+    EXPECT_EQ(steps_[0].finger.place, QPointF(100, 50));
+    EXPECT_EQ(steps_[1].finger.place, QPointF(109, 50));
     EXPECT_EQ(down({{7, {130, 60}}}), "M");
     EXPECT_EQ(down({}), "R");
-    EXPECT_EQ(steps_[0].place, QPointF(130, 60));
+    EXPECT_EQ(steps_[0].finger.place, QPointF(130, 60));
 }
 
 TEST_F(Touching, AFingerThatHardlyMovedLeavesATouch) {
@@ -104,6 +104,29 @@ TEST_F(Touching, WhatOneFingerPaintsIsNotEndedByASecond) {
     EXPECT_EQ(down({{1, {20, 0}}, {2, {90, 90}}}), "");
     EXPECT_EQ(down({{1, {20, 0}}, {2, {90, 130}}}), "");
     EXPECT_EQ(down({}), "R");
+}
+
+TEST_F(Touching, WhatOneFingerPaintsIsItsOwnWhateverOthersDo) {
+    down({{1, {0, 0}}});
+    down({{1, {20, 0}}});
+    EXPECT_EQ(down({{1, {25, 0}}, {2, {90, 90}}}), "M") << "it goes on beside another";
+    EXPECT_EQ(steps_[0].finger.id, 1);
+    EXPECT_EQ(down({{2, {95, 95}}, {1, {30, 0}}}), "M") << "in whatever order they are told";
+    EXPECT_EQ(steps_[0].finger.place, QPointF(30, 0));
+    EXPECT_EQ(down({{2, {95, 95}}}), "R") << "its stroke ends where it lifts, not at the other";
+    EXPECT_EQ(steps_[0].finger.place, QPointF(30, 0));
+    EXPECT_EQ(down({{2, {300, 95}}}), "");
+    EXPECT_EQ(down({}), "");
+    down({{2, {0, 0}}});
+    EXPECT_EQ(down({{2, {20, 0}}}), "PM") << "the next one begins anew";
+}
+
+TEST_F(Touching, AFingerThatIsReplacedAtOnceLeavesItsTouch) {
+    down({{1, {100, 50}}});
+    EXPECT_EQ(down({{2, {300, 50}}}), "PR");
+    EXPECT_EQ(steps_[1].finger.id, 1);
+    EXPECT_EQ(down({{2, {400, 50}}}), "");
+    EXPECT_EQ(down({}), "");
 }
 
 TEST_F(Touching, WhatOneFingerMovesIsMovedOnByTwo) {
