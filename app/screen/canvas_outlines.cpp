@@ -12,12 +12,6 @@ namespace {
 
 using grid::Rect;
 
-/// Cells along a square's side.
-constexpr int kSquare = 8;
-
-/// Patches are squares of so many cells, a multiple of the small ones.
-constexpr int kPatch = 8 * kSquare;
-
 /// Cells from which paint reaches into the layers of another: shares, their gain, the samples that begin
 /// there.
 constexpr int kReach = 8;
@@ -29,11 +23,11 @@ Rect with_border(const grid::Shape& shape) {
 /// The squares of the canvas's patches that `unknown` touches.
 std::vector<Rect> patches_of(const QRegion& unknown, const grid::Shape& shape) {
     std::vector<Rect> patches;
-    for (int y = -kLayerBorder; y < shape.height + kLayerBorder; y += kPatch)
-        for (int x = -kLayerBorder; x < shape.width + kLayerBorder; x += kPatch)
-            if (unknown.intersects(QRect(x, y, kPatch, kPatch)))
-                patches.push_back(
-                    grid::intersection(with_border(shape), {x, y, x + kPatch, y + kPatch}));
+    for (int y = -kLayerBorder; y < shape.height + kLayerBorder; y += kOutlinePatch)
+        for (int x = -kLayerBorder; x < shape.width + kLayerBorder; x += kOutlinePatch)
+            if (unknown.intersects(QRect(x, y, kOutlinePatch, kOutlinePatch)))
+                patches.push_back(grid::intersection(with_border(shape),
+                                                     {x, y, x + kOutlinePatch, y + kOutlinePatch}));
     return patches;
 }
 
@@ -56,17 +50,18 @@ OutlinePatch patch_of(const document::Snapshot& shown, const Rect& cells,
 
 }  // namespace
 
+Rect outlined_by(const grid::Shape& shape, int tile) {
+    return grid::intersection(with_border(shape), shade::grown(shape.tile_cells(tile), kReach));
+}
+
 void CanvasOutlines::reset(const grid::Shape& shape) {
     shape_ = shape;
-    near_squares_.assign(
-        static_cast<std::size_t>(squares_x()) * ((shape.height + 2 * kLayerBorder) / kSquare + 1), 0);
     forget_all();
 }
 
 void CanvasOutlines::forget(const std::vector<int>& tiles) {
     for (const int tile : tiles)
-        unknown_ += qt_rect(shade::grown(shape_.tile_cells(tile), kReach));
-    unknown_ &= qt_rect(with_border(shape_));
+        unknown_ += qt_rect(outlined_by(shape_, tile));
 }
 
 void CanvasOutlines::forget_all() {
@@ -81,48 +76,9 @@ std::vector<OutlinePatch> CanvasOutlines::update(const document::Snapshot& shown
     std::vector<OutlinePatch> patches(wanted.size());
     pool.run(wanted.size(),
              [&](std::size_t i, int) { patches[i] = patch_of(shown, wanted[i], to_rgb); });
-    for (const OutlinePatch& patch : patches) {
+    for (const OutlinePatch& patch : patches)
         unknown_ -= qt_rect(patch.cells);
-        note_near(patch);
-    }
     return patches;
-}
-
-int CanvasOutlines::squares_x() const {
-    return (shape_.width + 2 * kLayerBorder) / kSquare + 1;
-}
-
-/// A square holds the samples that begin two cells before its own.
-char& CanvasOutlines::near_square(int x, int y) {
-    return near_squares_[static_cast<std::size_t>((y + kLayerBorder) / kSquare) * squares_x() +
-                         (x + kLayerBorder) / kSquare];
-}
-
-void CanvasOutlines::note_near(const OutlinePatch& patch) {
-    const Rect& cells = patch.cells;
-    for (int y = cells.y0; y < cells.y1; y += kSquare)
-        for (int x = cells.x0; x < cells.x1; x += kSquare)
-            near_square(x, y) = 0;
-    const OutlineTexel* texel = patch.outline.data();
-    for (int y = cells.y0; y < cells.y1; ++y)
-        for (int x = cells.x0; x < cells.x1; ++x, ++texel)
-            if (texel->near > 0.0F) near_square(x, y) = 1;
-}
-
-std::vector<QRect> CanvasOutlines::cells_near(const Rect& cells) const {
-    std::vector<QRect> runs;
-    for (int y = cells.y0 / kSquare; y * kSquare <= cells.y1; ++y) {
-        const char* row = near_squares_.data() + static_cast<std::size_t>(y) * squares_x();
-        const int end = cells.x1 / kSquare + 1;
-        for (int x = cells.x0 / kSquare; x < end;) {
-            int beyond = x;
-            while (beyond < end && row[beyond] != 0)
-                ++beyond;
-            if (beyond > x) runs.emplace_back(x * kSquare, y * kSquare, (beyond - x) * kSquare, kSquare);
-            x = std::max(beyond, x + 1);
-        }
-    }
-    return runs;
 }
 
 }  // namespace pastoso::screen

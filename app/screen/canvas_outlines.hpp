@@ -31,6 +31,12 @@ struct OutlinePatch {
     std::vector<DryTexel> dry;
 };
 
+/// Patches are squares of so many cells, from the border's first on, or less at the far edges.
+inline constexpr int kOutlinePatch = 64;
+
+/// The cells whose outlines the paint of a tile has a part in.
+grid::Rect outlined_by(const grid::Shape& shape, int tile);
+
 class CanvasOutlines {
   public:
     /// Nothing is known of a canvas.
@@ -46,18 +52,9 @@ class CanvasOutlines {
     std::vector<OutlinePatch> update(const document::Snapshot& shown, const grid::Rect& cells,
                                      const pigment::BandsToRgb& to_rgb, core::ThreadPool& pool);
 
-    /// Where in a rectangle, as far as it is known, samples may be near an outline: runs of squares of
-    /// several cells, which reach half a cell farther than is said.
-    std::vector<QRect> cells_near(const grid::Rect& cells) const;
-
   private:
-    void note_near(const OutlinePatch& patch);
-    char& near_square(int x, int y);  ///< that of the samples that begin at this cell
-    int squares_x() const;
-
     grid::Shape shape_;
     QRegion unknown_;  ///< cells of the canvas and its border
-    std::vector<char> near_squares_;
 };
 
 }  // namespace pastoso::screen

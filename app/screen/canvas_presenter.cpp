@@ -19,10 +19,10 @@ CanvasPresenter::CanvasPresenter(std::function<void()> ready)
                   hand_over(std::move(failed));
               }) {}
 
-void CanvasPresenter::make(Sight sight, bool begins) {
+void CanvasPresenter::make(Sight sight, bool begins, const grid::Rect& outlined) {
     PASTOSO_CHECK(!busy_);
     busy_ = true;
-    worker_.add({std::move(sight), begins});
+    worker_.add({std::move(sight), begins, outlined});
 }
 
 std::optional<Presentation> CanvasPresenter::take(std::chrono::microseconds patience) {
@@ -47,10 +47,12 @@ void CanvasPresenter::present(const Job& job) {
     Presentation next;
     next.sight = job.sight;
     next.begins = !made_;
+    next.outlined = job.outlined;
     next.seen = ground_.below(job.sight.painting, job.sight.tracing, pool_);
     add_relief(next);
     add_colours(next);
     add_look(next);
+    add_outlines(next);
     made_ = job.sight;
     made_seen_ = next.seen;
     hand_over(std::move(next));
@@ -87,6 +89,17 @@ void CanvasPresenter::add_look(Presentation& next) {
         std::iota(tiles.begin(), tiles.end(), 0);
     }
     next.look = look_patches(*next.seen, look, tiles, pool_);
+}
+
+void CanvasPresenter::add_outlines(Presentation& next) {
+    if (next.begins)
+        outlines_.reset(next.seen->film.shape);
+    else if (next.recoloured)
+        outlines_.forget_all();
+    else
+        outlines_.forget(next.tiles);
+    if (next.outlined.empty()) return;
+    next.outlines = outlines_.update(*next.seen, next.outlined, next.sight.viewing.to_rgb, pool_);
 }
 
 }  // namespace pastoso::screen

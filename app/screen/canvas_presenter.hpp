@@ -2,9 +2,10 @@
 // graphics card.
 #pragma once
 
-#include "core/thread_pool.hpp"
 #include "core/worker.hpp"
 #include "screen/canvas_layers.hpp"
+#include "screen/canvas_outlines.hpp"
+#include "screen/drawing_threads.hpp"
 #include "screen/look_layer.hpp"
 #include "screen/tracing_ground.hpp"
 
@@ -39,6 +40,8 @@ struct Presentation {
     std::vector<SurfacePatch> surface;
     std::vector<ColourPatch> colours;
     std::vector<LookPatch> look;
+    std::vector<OutlinePatch> outlines;
+    grid::Rect outlined;  ///< cells of which all outlines are there then
     std::string fault;  ///< in one sentence, instead of all of it
 };
 
@@ -48,9 +51,9 @@ class CanvasPresenter {
     /// `ready` is called on another thread when take() has something.
     explicit CanvasPresenter(std::function<void()> ready);
 
-    /// Begins to make the next presentation; `begins`: of textures that hold nothing. Not while it is
-    /// busy.
-    void make(Sight sight, bool begins);
+    /// Begins to make the next presentation; `begins`: of textures that hold nothing; with the outlines
+    /// of so many cells. Not while it is busy.
+    void make(Sight sight, bool begins, const grid::Rect& outlined);
 
     /// Until what was begun has been taken.
     bool busy() const { return busy_; }
@@ -62,18 +65,21 @@ class CanvasPresenter {
     struct Job {
         Sight sight;
         bool begins;
+        grid::Rect outlined;
     };
 
     void present(const Job& job);
     void add_relief(Presentation& next);
     void add_colours(Presentation& next);
     void add_look(Presentation& next);
+    void add_outlines(Presentation& next);
     void hand_over(Presentation presentation);
 
     std::function<void()> ready_;
     bool busy_ = false;
-    core::ThreadPool pool_;
+    core::ThreadPool& pool_ = drawing_threads();
     CanvasLayers layers_;
+    CanvasOutlines outlines_;
     TracingGround ground_;
     std::optional<Sight> made_;
     std::shared_ptr<const document::Snapshot> made_seen_;

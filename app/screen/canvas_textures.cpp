@@ -83,13 +83,11 @@ void CanvasTextures::upload_look(const LookPatch& patch) {
     put(look_, patch.cells, kOne, patch.thickness_mm.data());
 }
 
-void CanvasTextures::upload_outlines(const std::vector<OutlinePatch>& patches) {
+void CanvasTextures::upload_outlines(const OutlinePatch& patch) {
     if (outline_ == 0) outline_ = make_texture(GL_RGBA32F, kFour);
     if (dry_ == 0) dry_ = make_texture(GL_RGBA16F, kFour);
-    for (const OutlinePatch& patch : patches) {
-        put(outline_, patch.cells, kFour, patch.outline.data());
-        put(dry_, patch.cells, kFour, patch.dry.data());
-    }
+    put(outline_, patch.cells, kFour, patch.outline.data());
+    put(dry_, patch.cells, kFour, patch.dry.data());
 }
 
 void CanvasTextures::bind_to(int unit, GLuint texture) {

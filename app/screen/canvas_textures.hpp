@@ -24,7 +24,7 @@ class CanvasTextures {
     /// What a look shows; the texture for it is made when it is first wanted.
     void upload_look(const LookPatch& patch);
     /// What outlines are drawn from; the textures for it are made when they are first wanted.
-    void upload_outlines(const std::vector<OutlinePatch>& patches);
+    void upload_outlines(const OutlinePatch& patch);
     void bind(int surface_unit, int colour_unit, int look_unit);
     void bind_outline(int outline_unit, int dry_unit);
 

@@ -5,6 +5,7 @@
 #include "graphics/opengl_support.hpp"
 #include "screen/canvas_shader.hpp"
 #include "screen/damaged_pixels.hpp"
+#include "screen/qt_rect.hpp"
 #include "screen/window_pixels.hpp"
 #include "shade/outline.hpp"
 
@@ -46,6 +47,10 @@ QRegion moved_window(const ViewTransform& from, const ViewTransform& to, const Q
     const QRegion all = QRegion(corners.toPolygon());
     return all & all.translated(2, 2) & all.translated(-2, -2) & all.translated(2, -2) &
            all.translated(-2, 2) & window;
+}
+
+bool holds(const grid::Rect& all, const grid::Rect& part) {
+    return part.empty() || grid::intersection(all, part) == part;
 }
 
 }  // namespace
@@ -93,8 +98,10 @@ void GlScreen::damage_all() {
 bool GlScreen::finished() const {
     const Sight wanted = host_.sight();
     const bool shows = shown_ != nullptr ? drawn_ == wanted : wanted.painting == nullptr;
-    return shows && (shown_ == nullptr || drawn_from_ == host_.view_transform()) && !presenter_.busy() &&
-           presentations_.empty() && !upload_.active() && !plan_.has_damage() && !plan_.has_drafts();
+    const bool outlined = shown_ == nullptr || holds(outlined_, cells_to_outline(drawn_));
+    return shows && outlined && (shown_ == nullptr || drawn_from_ == host_.view_transform()) &&
+           !presenter_.busy() && presentations_.empty() && !upload_.active() && !plan_.has_damage() &&
+           !plan_.has_drafts();
 }
 
 QSize GlScreen::window_px() const {
@@ -191,9 +198,12 @@ void GlScreen::move_picture(const ViewTransform& from, const QRect& window) {
 void GlScreen::ask_presenter() {
     if (presenter_.busy() || presentations_.size() >= kMostMade) return;
     const Sight sight = host_.sight();
-    if (sight.painting == nullptr || sight == asked_ || sight == refused_) return;
-    presenter_.make(sight, !asked_);
+    if (sight.painting == nullptr || sight == refused_) return;
+    const grid::Rect outlined = cells_to_outline(sight);
+    if (sight == asked_ && holds(asked_outlined_, outlined)) return;
+    presenter_.make(sight, !asked_, outlined);
     asked_ = sight;
+    asked_outlined_ = outlined;
 }
 
 void GlScreen::take_presentation(std::chrono::microseconds patience) {
@@ -211,12 +221,11 @@ void GlScreen::upload_changes() {
     if (presentations_.empty()) take_presentation(kPatience);
     QRegion cells;
     while (left_s() > 0.0 && (upload_.active() || begin_upload()))
-        if (upload_.go_on(left_s(), textures_, cells)) finish_upload();
+        if (upload_.go_on(left_s(), textures_, cells)) finish_upload(cells);
     if (shown_ != nullptr) plan_.add_damage(damaged_pixels(host_.view_transform(), cells));
     if (upload_.active() || !presentations_.empty()) update();
     take_presentation({});
     ask_presenter();
-    if (shown_ != nullptr && draws_outlines()) upload_outlines();
 }
 
 /// False when nothing has been made.
@@ -234,15 +243,24 @@ bool GlScreen::begin_upload() {
     return true;
 }
 
-void GlScreen::finish_upload() {
-    const Presentation done = upload_.end();
-    const bool relooked = done.begins || done.sight.look != drawn_.look;
-    if (done.begins)
+/// What was shaded before they were known is shaded again.
+void GlScreen::note_outlines(const Presentation& done, QRegion& changed) {
+    if (done.begins || done.recoloured)
         outlines_.reset(done.seen->film.shape);
-    else if (done.recoloured)
-        outlines_.forget_all();
     else
         outlines_.forget(done.tiles);
+    for (const OutlinePatch& patch : done.outlines) {
+        outlines_.note(patch);
+        changed += qt_rect(patch.cells);
+    }
+    outlined_ = done.outlined;
+}
+
+/// Adds to the cells whose picture is another.
+void GlScreen::finish_upload(QRegion& changed) {
+    const Presentation done = upload_.end();
+    const bool relooked = done.begins || done.sight.look != drawn_.look;
+    note_outlines(done, changed);
     shown_ = done.sight.painting;
     seen_ = done.seen;
     drawn_ = done.sight;
@@ -251,25 +269,19 @@ void GlScreen::finish_upload() {
     if (relooked || done.recoloured) damage_all();
 }
 
-bool GlScreen::draws_outlines() const {
-    return has_outlines(drawn_.look) && shade::outline_strength(host_.view_transform().zoom) > 0.0F;
-}
-
-void GlScreen::upload_outlines() {
-    textures_.upload_outlines(outlines_.update(*seen_, cells_in_window(), drawn_.viewing.to_rgb, pool_));
+/// Those in the window, where it draws outlines.
+grid::Rect GlScreen::cells_to_outline(const Sight& sight) const {
+    const ViewTransform& view = host_.view_transform();
+    if (!has_outlines(sight.look) || shade::outline_strength(view.zoom) == 0.0F) return {};
+    return seen_cells(view, window_px(), sight.painting->film.shape);
 }
 
 QRegion GlScreen::outlined_region() const {
     QRegion region;
-    if (!draws_outlines()) return region;
     // Half a cell farther is enough, where damage reaches two.
-    for (const QRect& cells : outlines_.cells_near(cells_in_window()))
+    for (const QRect& cells : outlines_.cells_near(cells_to_outline(drawn_)))
         region += damaged_pixels(host_.view_transform(), cells.adjusted(1, 1, -1, -1));
     return region;
-}
-
-grid::Rect GlScreen::cells_in_window() const {
-    return seen_cells(host_.view_transform(), window_px(), shown_->film.shape);
 }
 
 /// The scale of colours reaches as high as the paint has been since this look began.

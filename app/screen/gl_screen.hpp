@@ -2,9 +2,9 @@
 #pragma once
 
 #include "graphics/graphics_widget.hpp"
-#include "screen/canvas_outlines.hpp"
 #include "screen/canvas_screen.hpp"
 #include "screen/gl_overlay.hpp"
+#include "screen/outline_squares.hpp"
 #include "screen/picture_buffer.hpp"
 #include "screen/shading_plan.hpp"
 #include "screen/shading_timer.hpp"
@@ -48,21 +48,19 @@ class GlScreen : public graphics::GraphicsWidget, public CanvasScreen {
     void take_presentation(std::chrono::microseconds patience);
     void upload_changes();
     bool begin_upload();
-    void finish_upload();
+    void note_outlines(const Presentation& done, QRegion& changed);
+    void finish_upload(QRegion& changed);
     void drop_textures();
-    bool draws_outlines() const;
-    void upload_outlines();
+    grid::Rect cells_to_outline(const Sight& sight) const;
     QRegion outlined_region() const;
     void show_heights(const std::vector<LookPatch>& patches, bool begins);
     void shade_job(const ShadingPlan::Job& job);
-    grid::Rect cells_in_window() const;
 
     ScreenHost& host_;
-    core::ThreadPool pool_;
     CanvasPresenter presenter_;
     std::deque<Presentation> presentations_;  ///< made, and not on their way to the textures yet
     TextureUpload upload_;
-    CanvasOutlines outlines_;
+    OutlineSquares outlines_;
     CanvasTextures textures_;
     PictureBuffer picture_;
     ShadingTimer timer_;
@@ -71,7 +69,9 @@ class GlScreen : public graphics::GraphicsWidget, public CanvasScreen {
     QTimer cooling_;
 
     Sight drawn_;                   ///< what the textures hold, while there is shown_
+    grid::Rect outlined_;           ///< cells whose outlines they hold
     std::optional<Sight> asked_;    ///< that they will hold when all that was asked for is there
+    grid::Rect asked_outlined_;     ///< as well
     bool outdated_ = false;         ///< what is being made is about textures that are no more
     std::optional<Sight> refused_;  ///< of which no presentation could be made
     std::shared_ptr<const document::Snapshot> shown_;

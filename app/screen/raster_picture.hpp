@@ -1,11 +1,11 @@
 // A window's picture of a canvas, made by the processor.
 #pragma once
 
-#include "appearance/screen_colours.hpp"
 #include "core/thread_pool.hpp"
-#include "screen/canvas_presenter.hpp"
+#include "screen/canvas_sheet.hpp"
+#include "screen/far_picture.hpp"
 #include "screen/quality.hpp"
-#include "screen/view_transform.hpp"
+#include "screen/raster_scene.hpp"
 #include "shade/cell_layers.hpp"
 #include "shade/surface.hpp"
 
@@ -16,23 +16,11 @@
 
 namespace pastoso::screen {
 
-/// What a picture shows.
-struct RasterScene {
-    Sight sight;
-    ViewTransform view;
-    QSize window_px;
-    Rgb ground{};                      ///< around the canvas, encoded
-    appearance::ScreenCube colours{};  ///< that the canvas is shown through
-    friend bool operator==(const RasterScene&, const RasterScene&) = default;
-};
-
-/// Whether nothing but the paint and the colours of the screen are others.
-bool same_place(const RasterScene& a, RasterScene b);
-
-/// Keeps the latest picture: only what differs from it is made again.
+/// Keeps the latest picture: only what differs from it is made again, and what comes into the window.
 class RasterPicture {
   public:
-    /// Makes it one of this scene. What is no other stays in the quality that it has.
+    /// Makes it one of this scene. What is no other stays in the quality that it has; what is made soon
+    /// is made in full.
     void show(const RasterScene& scene, Quality quality, core::ThreadPool& pool);
 
     /// Whether a part of it is less than it is to be.
@@ -52,8 +40,18 @@ class RasterPicture {
     void update_layers(const RasterScene& scene, const document::Snapshot& seen, const QRegion& changed,
                        core::ThreadPool& pool);
     QRegion changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const;
-    bool takes_long(const QRegion& region) const;
+    double work_per_pixel() const;
+    double work_of(const QRegion& region) const;
+    bool moves(const RasterScene& scene) const;
+    void move_by(const glm::ivec2& pixels);
+    bool seen_from_afar() const;
+    QRegion known_from_afar(const QRegion& region) const;
     void paint(const QRegion& region, Quality quality, core::ThreadPool& pool);
+    template <class Paint>
+    void with_layers(const CanvasSheet& sheet, const grid::Rect& pixels, core::ThreadPool& pool,
+                     const Paint& paint) const;
+    void paint_sheet(const QRegion& region, Quality quality, core::ThreadPool& pool);
+    void paint_from_afar(const QRegion& region, core::ThreadPool& pool);
     QRect next_strip() const;
     void finish(const QRect& part, const RasterScene& scene, core::ThreadPool& pool);
     void measure_heights(const RasterScene& scene, const document::Snapshot& seen,
@@ -67,6 +65,7 @@ class RasterPicture {
     shade::TileRanges ranges_;
     shade::HeightRange range_;
     shade::CellLayers layers_;  ///< of all cells; of none on canvases that are too large for that
+    FarPicture far_;            ///< in light_
     double highest_mm_ = 0.0, scale_top_mm_ = 0.1;
     QImage canvas_;  ///< in the window, in 16 bits; what the screen makes of it is in the image
     QImage image_;

@@ -3,6 +3,7 @@
 
 #include "core/worker.hpp"
 #include "screen/canvas_screen.hpp"
+#include "screen/drawing_threads.hpp"
 #include "screen/raster_picture.hpp"
 
 #include <mutex>
@@ -48,7 +49,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     void draw(QPainter& painter);
 
     ScreenHost& host_;
-    core::ThreadPool pool_;
+    core::ThreadPool& pool_ = drawing_threads();
     RasterPicture picture_;  ///< the worker's
     std::optional<RasterScene> asked_;
     std::optional<Frame> frame_;  ///< on the screen

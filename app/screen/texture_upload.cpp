@@ -21,23 +21,20 @@ bool TextureUpload::go_on(double seconds, CanvasTextures& textures, QRegion& cha
 /// False when there is no more. Where paint is another, its relief is too.
 bool TextureUpload::upload_next(CanvasTextures& textures, QRegion& changed) {
     const Presentation& all = *presentation_;
-    std::size_t i = next_++;
-    if (i < all.surface.size()) {
-        changed += qt_rect(all.surface[i].cells);
-        textures.upload_surface(all.surface[i]);
+    std::size_t number = next_++;
+    const auto put = [&](const auto& patches, auto upload) {
+        if (number >= patches.size()) {
+            number -= patches.size();
+            return false;
+        }
+        changed += qt_rect(patches[number].cells);
+        (textures.*upload)(patches[number]);
         return true;
-    }
-    i -= all.surface.size();
-    if (i < all.colours.size()) {
-        changed += qt_rect(all.colours[i].cells);
-        textures.upload_colour(all.colours[i]);
-        return true;
-    }
-    i -= all.colours.size();
-    if (i >= all.look.size()) return false;
-    changed += qt_rect(all.look[i].cells);
-    textures.upload_look(all.look[i]);
-    return true;
+    };
+    return put(all.surface, &CanvasTextures::upload_surface) ||
+           put(all.colours, &CanvasTextures::upload_colour) ||
+           put(all.look, &CanvasTextures::upload_look) ||
+           put(all.outlines, &CanvasTextures::upload_outlines);
 }
 
 }  // namespace pastoso::screen

@@ -23,9 +23,6 @@ class InteractionStack {
 
     QCursor cursor() const;
 
-    /// Who has the pointer; null: nobody.
-    const Interaction* holder() const { return holder_; }
-
     /// Whether a press would not get as far as this one.
     bool is_behind_mode(const Interaction& interaction) const;
 

@@ -2,7 +2,7 @@
 
 #include "core/random.hpp"
 #include "film/support/support.hpp"
-#include "screen/canvas_outlines.hpp"
+#include "screen/outline_squares.hpp"
 #include "shade/cell_layers.hpp"
 #include "shade/outline_layers.hpp"
 
@@ -230,16 +230,21 @@ TEST(CanvasOutlines, AreThoseOfTheReferenceRenderer) {
     known.expect_equal_to_reference(snapshot);
 }
 
-TEST(CanvasOutlines, TellWhereSamplesAreNearThem) {
+TEST(OutlineSquares, TellWhereSamplesAreNearOutlines) {
     core::ThreadPool pool(2);
     document::Snapshot snapshot = bare_canvas();
     add_lump(snapshot, 30, 60, 70);
     add_lump(snapshot, 195, 145, 5);
     CanvasOutlines outlines;
+    OutlineSquares squares;
     KnownOutlines known;
     outlines.reset(kShape);
-    known.put(outlines.update(snapshot, kShape.cells(), pigment::kBandsToLinearSrgb, pool));
-    const std::vector<QRect> runs = outlines.cells_near(kShape.cells());
+    squares.reset(kShape);
+    const auto patches = outlines.update(snapshot, kShape.cells(), pigment::kBandsToLinearSrgb, pool);
+    known.put(patches);
+    for (const OutlinePatch& patch : patches)
+        squares.note(patch);
+    const std::vector<QRect> runs = squares.cells_near(kShape.cells());
     const auto told = [&](double x, double y) {
         return std::any_of(runs.begin(), runs.end(), [&](const QRect& run) {
             return QRectF(run).adjusted(-0.5, -0.5, 0.5, 0.5).contains(x, y);

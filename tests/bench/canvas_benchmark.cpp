@@ -1,5 +1,5 @@
-// How long a new canvas takes until it can be painted on, seen, and seen in full, how long the window
-// stood still meanwhile, and the memory that it came to.
+// How long a new canvas takes until it can be painted on, seen, and seen in full, from elsewhere, too,
+// how long the window stood still meanwhile, and the memory that it came to.
 //
 //     LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb xvfb-run -a build/bin/canvas_benchmark [SIDE_MM
 //     [PX_PER_MM [SUPPORT [processor | opengl [SECONDS]]]]]
@@ -83,6 +83,39 @@ Times times_of(bench::Window& shown, const document::CanvasSettings& canvas, dou
     return times;
 }
 
+/// Until the picture is whole again after what the painter does; none within the limit.
+template <class Does>
+std::optional<double> whole_after_s(bench::Window& shown, double limit_s, const Does& does) {
+    view::CanvasView& canvas = shown.studio().canvas();
+    QElapsedTimer clock;
+    clock.start();
+    does(canvas);
+    while (clock.elapsed() < 1e3 * limit_s) {
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
+        if (canvas.finished()) return 1e-9 * static_cast<double>(clock.nsecsElapsed());
+    }
+    return std::nullopt;
+}
+
+void tell_views(bench::Window& shown, double limit_s) {
+    tell("whole from nearer",
+         whole_after_s(shown, limit_s, [](view::CanvasView& canvas) { canvas.zoom_about_centre(1.3); }));
+    tell("whole from farther",
+         whole_after_s(shown, limit_s, [](view::CanvasView& canvas) { canvas.zoom_about_centre(0.7); }));
+    tell("whole, panned", whole_after_s(shown, limit_s, [](view::CanvasView& canvas) {
+             screen::ViewTransform view = canvas.view_transform();
+             view.origin_px += glm::dvec2{57.0, 23.0};
+             canvas.look_from(view);
+         }));
+    tell("whole, at a pixel a cell",
+         whole_after_s(shown, limit_s, [](view::CanvasView& canvas) { canvas.show_actual_pixels(); }));
+    tell("whole, panned there", whole_after_s(shown, limit_s, [](view::CanvasView& canvas) {
+             screen::ViewTransform view = canvas.view_transform();
+             view.origin_px += glm::dvec2{57.0, 23.0};
+             canvas.look_from(view);
+         }));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -105,6 +138,7 @@ int main(int argc, char** argv) {
     tell("seen", times.seen_s);
     tell("seen in full", times.whole_s);
     tell("a stroke seen, after the pen", times.painted_s);
+    if (times.whole_s) tell_views(shown, 30.0);
     std::printf("%-40s %7.3f s\n", "the window stood still for", times.longest_wait_s);
     std::printf("%-40s %7.0f MiB\n", "memory at most", core::peak_rss_mib());
     return EXIT_SUCCESS;

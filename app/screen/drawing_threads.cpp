@@ -1,0 +1,10 @@
+#include "screen/drawing_threads.hpp"
+
+namespace pastoso::screen {
+
+core::ThreadPool& drawing_threads() {
+    static core::ThreadPool threads;
+    return threads;
+}
+
+}  // namespace pastoso::screen
