@@ -52,7 +52,7 @@ PointerEvent EventReader::read(const QMouseEvent& event) {
     return read;
 }
 
-PointerEvent EventReader::read(const QTabletEvent& event) const {
+PointerEvent EventReader::read(const QTabletEvent& event) {
     const bool eraser = event.pointerType() == QPointingDevice::PointerType::Eraser;
     PointerEvent read = told(event, eraser ? Device::Eraser : Device::Pen);
     read.pointer.pressure = event.pressure();
@@ -64,10 +64,10 @@ PointerEvent EventReader::read(const QTabletEvent& event) const {
             read.wheel = event.tangentialPressure();
         read.pointer.pressure =
             tools::mapped_pressure(pen_, tools::pen_device_of(*device), read.pointer.pressure);
-        read.pointer.tells_tilt = device->capabilities().testFlag(QInputDevice::Capability::XTilt);
-        if (device->capabilities().testFlag(QInputDevice::Capability::Rotation))
-            read.pointer.rotation_deg = event.rotation();
     }
+    const PenAbilities::Tells tells = abilities_.note(event);
+    read.pointer.tells_tilt = tells.tilt;
+    if (tells.rotation) read.pointer.rotation_deg = event.rotation();
     return read;
 }
 

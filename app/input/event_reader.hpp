@@ -2,6 +2,7 @@
 #pragma once
 
 #include "input/finger.hpp"
+#include "input/pen_abilities.hpp"
 #include "input/pointer_event.hpp"
 #include "tools/mouse_pressure.hpp"
 #include "tools/pen_settings.hpp"
@@ -19,7 +20,7 @@ class EventReader {
     const tools::PenSettings& pen() const { return pen_; }
 
     PointerEvent read(const QMouseEvent& event);
-    PointerEvent read(const QTabletEvent& event) const;
+    PointerEvent read(const QTabletEvent& event);
 
     /// One finger, which does the work of a mouse's left button.
     PointerEvent finger(Kind kind, const Finger& finger, std::uint64_t time_ms,
@@ -29,6 +30,7 @@ class EventReader {
     tools::Pointer pressing_at(const QPointF& place, std::uint64_t time_ms);
 
     tools::PenSettings pen_;
+    PenAbilities abilities_;
     tools::MousePressure mouse_pressure_;
 };
 

@@ -43,9 +43,8 @@ void PenPad::tabletEvent(QTabletEvent* event) {
     if (const QPointingDevice* device = event->pointingDevice()) {
         reading.device = tools::pen_device_of(*device);
         reading.meant = tools::mapped_pressure(settings_, *reading.device, reading.told);
-        if (device->capabilities().testFlag(QInputDevice::Capability::Rotation))
-            reading.rotation_deg = event->rotation();
     }
+    if (abilities_.note(*event).rotation) reading.rotation_deg = event->rotation();
     if (event->type() == QEvent::TabletPress) Q_EMIT touched(reading.device);
     if (event->buttons().testFlag(Qt::LeftButton))
         scribble(event->position(), reading.meant);

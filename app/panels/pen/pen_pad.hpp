@@ -1,6 +1,7 @@
 // A sheet to try pens on: scribbles with pen or mouse, and tells what it is told.
 #pragma once
 
+#include "input/pen_abilities.hpp"
 #include "tools/event_rate.hpp"
 #include "tools/mouse_pressure.hpp"
 #include "tools/pen_settings.hpp"
@@ -57,6 +58,7 @@ class PenPad : public QWidget {
     tools::PenSettings settings_;
     tools::MousePressure mouse_;
     tools::EventRate rate_;
+    input::PenAbilities abilities_;
     QImage sheet_;  ///< transparent where it is bare
     bool bare_ = true;
     std::optional<QPointF> from_;
