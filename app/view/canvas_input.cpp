@@ -38,6 +38,7 @@ void CanvasView::hear(const input::PointerEvent& event) {
 }
 
 void CanvasView::deliver(const input::PointerEvent& event) {
+    pen_ = event.is_pen() ? std::optional(event) : std::nullopt;
     move_pointer(event.place);
     if (wanted_ != nullptr) interactions_.handle(over_canvas(event));
     refresh();
@@ -85,6 +86,19 @@ bool CanvasView::closes_popup(const QTabletEvent& event) {
     return closing_popup_;
 }
 
+/// What it still pressed has lifted: of a pen that lifts and leaves at once, Qt tells under Wayland only
+/// that it leaves.
+void CanvasView::lose_pen() {
+    if (!pen_) return;
+    input::PointerEvent last = *pen_;
+    last.kind = input::Kind::Move;
+    last.button = Qt::NoButton;
+    last.pointer.pressure = 0.0;
+    if (std::exchange(last.buttons, Qt::NoButton) != Qt::NoButton) hear(last);
+    pen_.reset();
+    forget_pointer();
+}
+
 void CanvasView::keyPressEvent(QKeyEvent* event) {
     const bool taken = interactions_.key(*event);
     if (!taken && event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
@@ -110,6 +124,10 @@ void CanvasView::enterEvent(QEnterEvent* event) {
 }
 
 void CanvasView::leaveEvent(QEvent*) {
+    forget_pointer();
+}
+
+void CanvasView::forget_pointer() {
     pointer_.reset();
     Q_EMIT pointer_left();
     screen_->refresh();

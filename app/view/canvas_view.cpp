@@ -30,6 +30,7 @@ CanvasView::CanvasView(document::Surface surface, QWidget* parent)
     holding_.setSingleShot(true);
     holding_.setInterval(input::TouchGestures::kHold_ms);
     connect(&holding_, &QTimer::timeout, this, &CanvasView::hold_finger);
+    connect(&pen_watch_, &PenWatch::pen_left, this, &CanvasView::lose_pen);
     put_up(screen::make_screen(drawn_by_, *this, *this));
     refresh();
 }

@@ -9,6 +9,7 @@
 #include "input/wheel_steps.hpp"
 #include "screen/canvas_screen.hpp"
 #include "view/interaction_stack.hpp"
+#include "view/pen_watch.hpp"
 #include "view/selection_outline.hpp"
 
 #include <memory>
@@ -176,7 +177,9 @@ class CanvasView : public QWidget, private screen::ScreenHost {
     void hear(const input::PointerEvent& event);
     void deliver(const input::PointerEvent& event);
     void move_pointer(const QPointF& place);
+    void forget_pointer();
     bool closes_popup(const QTabletEvent& event);
+    void lose_pen();
     bool touch(QTouchEvent& event);
     void follow(const std::vector<input::TouchStep>& steps);
     void pinch(const screen::Fingers& from_px, const screen::Fingers& to_px);
@@ -202,6 +205,8 @@ class CanvasView : public QWidget, private screen::ScreenHost {
 
     InteractionStack interactions_;
     input::EventReader reader_;
+    PenWatch pen_watch_{*this};
+    std::optional<input::PointerEvent> pen_;  ///< its latest event, while it is what is over the view
     input::Arbiter arbiter_;
     input::WheelSteps wheel_;
     input::TouchGestures gestures_;

@@ -7,6 +7,7 @@
 #include "panels/pen/pen_pad.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include <QAction>
 #include <QApplication>
@@ -18,6 +19,7 @@
 #include <QPolygonF>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTest>
 
 namespace pastoso::tests {
@@ -310,6 +312,49 @@ TEST_F(PenWindow, HoveringShowsTheOutlineAndHowThePenLeans) {
     EXPECT_GT(changed(other_way, -1.0), 30);
     EXPECT_LT(changed(other_way, 1.0), 10);
     EXPECT_EQ(volume_mm3(), 0.0);
+}
+
+TEST_F(PenWindow, ThePenTakesItsOutlineAlongWhereItLeaves) {
+    action(Command::Pause)->trigger();
+    action(Command::SmallerBrush)->trigger();  // shows the hand
+    const QImage bare = picture();
+    const auto seen = [&] { return canvas().picture().convertToFormat(QImage::Format_RGB888); };
+    QWidget& panel = *window().statusBar();
+    const auto leave = {std::function([&] { pen_leaves(pressed(0.0)); }), std::function([&] {
+                            pen_over(panel, panel.rect().center(), Qt::NoButton, pressed(0.0));
+                        })};
+    for (const auto& leaves : leave) {
+        pen_at({30.0, 20.0}, Qt::NoButton, pressed(0.0));
+        EXPECT_TRUE(canvas().pointer_mm());
+        EXPECT_GT(difference(bare, seen()).largest, 50);
+        QSignalSpy left(&canvas(), &view::CanvasView::pointer_left);
+        leaves();
+        EXPECT_FALSE(canvas().pointer_mm());
+        EXPECT_GE(left.count(), 1);
+        EXPECT_EQ(difference(bare, seen()).largest, 0);
+    }
+}
+
+TEST_F(PenWindow, APenThatLeavesChangesNothingUnderTheMouse) {
+    pen_at({30.0, 20.0}, Qt::NoButton, pressed(0.0));
+    move({20.0, 10.0}, Qt::NoButton);
+    pen_leaves(pressed(0.0));
+    ASSERT_TRUE(canvas().pointer_mm());
+    EXPECT_NEAR(canvas().pointer_mm()->x, 20.0, 1e-9);
+}
+
+TEST_F(PenWindow, AStrokeEndsWhereThePenLeavesBeforeItHasLifted) {
+    pen_at({20.0, 20.0}, Qt::NoButton, pressed(0.0));
+    for (const glm::dvec2& place_mm : line_mm({20.0, 20.0}, {40.0, 20.0}))
+        pen_at(place_mm, Qt::LeftButton, pressed(0.6));
+    EXPECT_TRUE(studio().easel().painting());
+    pen_leaves(pressed(0.0));
+    EXPECT_FALSE(studio().easel().painting());
+    const std::size_t told = recorded_pressures().size();
+    pen_at({10.0, 10.0}, Qt::NoButton, pressed(0.0));
+    mouse_stroke(line_mm({20.0, 30.0}, {40.0, 30.0}));  // the pen has nothing any more
+    EXPECT_GT(recorded_pressures().size(), told + 10);
+    EXPECT_EQ(session().status().strokes, 2);
 }
 
 /// On a turned and mirrored view too, and on a screen of any number of pixels: the changed pixels are

@@ -198,6 +198,12 @@ void WindowTest::pen_over(QWidget& widget, const QPointF& place, Qt::MouseButton
     QApplication::processEvents();
 }
 
+void WindowTest::pen_leaves(const Pen& pen) {
+    QWindowSystemInterface::handleTabletEnterLeaveProximityEvent(
+        nullptr, next_time_ms(), pen.eraser_end ? eraser_end() : stylus(), false);
+    QApplication::processEvents();
+}
+
 void WindowTest::send_pen(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons,
                           const Pen& pen, unsigned long time_ms) {
     QWindow* handle = widget.window()->windowHandle();

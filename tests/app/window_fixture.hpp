@@ -51,6 +51,8 @@ class WindowTest : public ::testing::Test {
     /// The same over any widget, at a place of its own.
     void pen_over(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons, const Pen& pen);
     void pen_stroke_on(view::CanvasView& view, const std::vector<glm::dvec2>& path_mm, const Pen& pen);
+    /// It is taken away from the tablet, whatever it pressed before.
+    void pen_leaves(const Pen& pen);
 
     /// Handles events until the condition holds, however long that takes (patience.hpp).
     void wait_for(const std::function<bool()>& condition);
