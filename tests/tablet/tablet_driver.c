@@ -1,23 +1,15 @@
-/* An input driver of the X server: a pen, or the eraser end of one, that is moved by lines of text from
-   the named pipe of its option "Path":
+/* An input driver of the X server: a pen, or the eraser end of one, that does what it reads
+   (pen_lines.h) from the named pipe of its option "Path". */
+#include "pen_lines.h"
 
-     near 1 | near 0                   comes near, leaves
-     move X Y PRESSURE TILT_X TILT_Y   pixels of the screen, 0 to 1, degrees
-     tip 1 | tip 0                     presses, lifts
-*/
 #include <exevents.h>
-#include <fcntl.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <xf86.h>
 #include <xf86Xinput.h>
 #include <xorg-server.h>
 #include <xserver-properties.h>
 
-enum { kAxes = 5, kButtons = 1, kMostText = 8192 };
+enum { kAxes = kPenValues, kButtons = 3 };
 
 struct axis {
     const char* label;
@@ -32,8 +24,7 @@ static const struct axis kAxis[kAxes] = {
 };
 
 struct pen {
-    char text[kMostText]; /* read, of which no line has ended yet */
-    size_t length;
+    struct pen_pipe pipe;
     ValuatorMask* values;
 };
 
@@ -43,12 +34,14 @@ static void ignore_feedback(DeviceIntPtr device, PtrCtrl* control) {
 }
 
 static int make_device(DeviceIntPtr device) {
-    Atom labels[kAxes], button_label[kButtons];
-    unsigned char buttons[kButtons + 1] = {0, 1};
+    Atom labels[kAxes], button_labels[kButtons];
+    unsigned char buttons[kButtons + 1] = {0, 1, 2, 3};
     for (int i = 0; i < kAxes; ++i)
         labels[i] = XIGetKnownProperty(kAxis[i].label);
-    button_label[0] = XIGetKnownProperty(BTN_LABEL_PROP_BTN_LEFT);
-    if (!InitButtonClassDeviceStruct(device, kButtons, button_label, buttons) ||
+    button_labels[0] = XIGetKnownProperty(BTN_LABEL_PROP_BTN_LEFT);
+    button_labels[1] = XIGetKnownProperty(BTN_LABEL_PROP_BTN_MIDDLE);
+    button_labels[2] = XIGetKnownProperty(BTN_LABEL_PROP_BTN_RIGHT);
+    if (!InitButtonClassDeviceStruct(device, kButtons, button_labels, buttons) ||
         !InitValuatorClassDeviceStruct(device, kAxes, labels, GetMotionHistorySize(), Absolute) ||
         !InitProximityClassDeviceStruct(device) ||
         !InitPtrFeedbackClassDeviceStruct(device, ignore_feedback))
@@ -79,38 +72,31 @@ static int control(DeviceIntPtr device, int what) {
     }
 }
 
-static void obey(InputInfoPtr info, const char* line) {
+static void obey(void* of, const struct pen_line* line) {
+    InputInfoPtr info = of;
     struct pen* pen = info->private;
-    double value[kAxes];
-    int on = 0;
     valuator_mask_zero(pen->values);
-    if (sscanf(line, "move %lf %lf %lf %lf %lf", &value[0], &value[1], &value[2], &value[3],
-               &value[4]) == kAxes) {
-        for (int i = 0; i < kAxes; ++i)
-            valuator_mask_set_double(pen->values, i, kAxis[i].unit * value[i]);
-        xf86PostMotionEventM(info->dev, Absolute, pen->values);
-    } else if (sscanf(line, "tip %d", &on) == 1) {
-        xf86PostButtonEventM(info->dev, Absolute, 1, on, pen->values);
-    } else if (sscanf(line, "near %d", &on) == 1) {
-        xf86PostProximityEventM(info->dev, on, pen->values);
+    switch (line->verb) {
+        case kPenNear:
+            xf86PostProximityEventM(info->dev, line->on, pen->values);
+            break;
+        case kPenMove:
+            for (int i = 0; i < kAxes; ++i)
+                valuator_mask_set_double(pen->values, i, kAxis[i].unit * line->value[i]);
+            xf86PostMotionEventM(info->dev, Absolute, pen->values);
+            break;
+        case kPenTip:
+            xf86PostButtonEventM(info->dev, Absolute, 1, line->on, pen->values);
+            break;
+        case kPenButton:
+            xf86PostButtonEventM(info->dev, Absolute, line->button, line->on, pen->values);
+            break;
     }
 }
 
 static void read_lines(InputInfoPtr info) {
     struct pen* pen = info->private;
-    ssize_t count;
-    while ((count = read(info->fd, pen->text + pen->length, kMostText - pen->length)) > 0) {
-        pen->length += (size_t)count;
-        char* line = pen->text;
-        char* end;
-        while ((end = memchr(line, '\n', pen->length - (size_t)(line - pen->text))) != NULL) {
-            *end = '\0';
-            obey(info, line);
-            line = end + 1;
-        }
-        pen->length -= (size_t)(line - pen->text);
-        memmove(pen->text, line, pen->length);
-    }
+    pen_pipe_read(&pen->pipe, obey, info);
 }
 
 static int accept_mode(ClientPtr client, DeviceIntPtr device, int mode) {
@@ -131,17 +117,19 @@ static int begin(InputDriverPtr driver, InputInfoPtr info, int flags) {
     info->device_control = control;
     info->read_input = read_lines;
     info->switch_mode = accept_mode;
-    /* Open for writing too: it has not ended when whoever writes to it closes it. */
-    info->fd = mkfifo(path, 0600) == 0 ? open(path, O_RDWR | O_NONBLOCK) : -1;
+    const bool is_open = pen_pipe_open(&pen->pipe, path);
+    info->fd = pen->pipe.fd;
     free(path);
-    return info->fd < 0 ? BadAlloc : Success;
+    return is_open ? Success : BadAlloc;
 }
 
 static void end(InputDriverPtr driver, InputInfoPtr info, int flags) {
     (void)driver;
     struct pen* pen = info->private;
-    if (info->fd >= 0) close(info->fd);
-    if (pen != NULL) valuator_mask_free(&pen->values);
+    if (pen != NULL) {
+        pen_pipe_close(&pen->pipe);
+        valuator_mask_free(&pen->values);
+    }
     free(pen);
     info->private = NULL;
     xf86DeleteInput(info, flags);

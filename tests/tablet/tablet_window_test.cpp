@@ -1,5 +1,5 @@
-// A pen of the X server, from its driver to the painting: pressure, tilt, both ends, many events.
-// Runs under with_tablet.sh.
+// A pen of the X server, or of a Wayland compositor, from its driver to the painting: pressure, tilt,
+// both ends, buttons, many events. Runs under with_tablet.sh, and under with_wayland.sh --tablet.
 #include "app/latest_stroke.hpp"
 #include "app/window_fixture.hpp"
 #include "document/actions/actions.hpp"
@@ -43,7 +43,7 @@ class TabletWindow : public WindowTest {
     void SetUp() override {
         WindowTest::SetUp();
         ASSERT_TRUE(tip_.is_there() && eraser_.is_there())
-            << "there is no tablet: with_tablet.sh has one";
+            << "there is no tablet: with_tablet.sh and with_wayland.sh --tablet have one";
         action(commands::Command::Pause)->trigger();
         settle();
     }
@@ -55,6 +55,20 @@ class TabletWindow : public WindowTest {
         for (const double value : {place.x(), place.y(), pressure, tilt_x_deg, tilt_y_deg})
             line += " " + std::to_string(value);
         return line;
+    }
+
+    void wait_for_pointer_mm(double x_mm) {
+        wait_for([&] {
+            const auto pointer = canvas().pointer_mm();
+            return pointer && std::abs(pointer->x - x_mm) < 0.2;
+        });
+    }
+
+    void only_picks_paint(tools::PenButton button) {
+        tools::PenSettings settings = canvas().pen();
+        settings.buttons = {};
+        settings.buttons[static_cast<std::size_t>(button)] = {tools::PenButtonDoes::PickPaint};
+        canvas().set_pen(settings);
     }
 
     /// A line across the canvas, all values turning evenly from 0 to 1.
@@ -120,12 +134,43 @@ TEST_F(TabletWindow, APenInTheAirPaintsNothing) {
     tip_.tell("near 1");
     for (int i = 0; i < 20; ++i)
         tip_.tell(move({10.0 + i, 15.0}, 0.0, 0.0, 0.0));
-    wait_for([&] {
-        const auto pointer = canvas().pointer_mm();
-        return pointer && std::abs(pointer->x - 29.0) < 0.2;
-    });
+    wait_for_pointer_mm(29.0);
     tip_.tell("near 0");
+    wait_for([&] { return !canvas().pointer_mm(); });
     EXPECT_EQ(strokes(), 0);
+}
+
+TEST_F(TabletWindow, AStrokeEndsWhereThePenLeavesBeforeItHasLifted) {
+    tip_.tell("near 1");
+    tip_.tell(move({10.0, 20.0}, 0.5, 0.0, 0.0));
+    tip_.tell("tip 1");
+    for (int i = 1; i <= 20; ++i)
+        tip_.tell(move({10.0 + i, 20.0}, 0.5, 0.0, 0.0));
+    wait_for_pointer_mm(30.0);
+    EXPECT_TRUE(studio().easel().painting());
+    tip_.tell("near 0");
+    wait_for([&] { return !studio().easel().painting(); });
+    tip_.tell("tip 0");
+    stroke(tip_, 20);
+    EXPECT_EQ(strokes(), 2);
+}
+
+TEST_F(TabletWindow, ItsButtonsAreTheLowerAndTheUpperOne) {
+    stroke(tip_, 40);
+    for (const auto& [button, number] :
+         {std::pair(tools::PenButton::Lower, "2"), std::pair(tools::PenButton::Upper, "3")}) {
+        only_picks_paint(button);
+        studio().easel().choose_paint({{{"PR101", 1.0}}, 1.0});
+        settle();
+        tip_.tell("near 1");
+        tip_.tell(move({30.0, 20.0}, 0.0, 0.0, 0.0));
+        tip_.tell(std::string("button ") + number + " 1");
+        wait_for([&] { return studio().easel().hand().paint.ingredients.front().pigment == "PB29"; });
+        tip_.tell(std::string("button ") + number + " 0");
+        tip_.tell("near 0");
+        wait_for([&] { return !canvas().pointer_mm(); });
+    }
+    EXPECT_EQ(strokes(), 1);
 }
 
 }  // namespace

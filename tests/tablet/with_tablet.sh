@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs a program on an X server of its own that has a pen with two ends. The program finds the pipes of
-# both (tablet_driver.c) in the folder $PASTOSO_TEST_TABLET, as "pen" and "eraser".
+# both (pen_lines.h) in the folder $PASTOSO_TEST_TABLET, as "pen" and "eraser".
 #
 # Usage: with_tablet.sh MODULES PROGRAM [ARGUMENT...]
 #   MODULES   the folder that has input/tablet_drv.so
