@@ -2,11 +2,14 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "film/support/gesso_kernel.hpp"
 #include "film/support/smooth_noise.hpp"
 #include "film/support/weave_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -297,21 +300,70 @@ TEST(WeaveKernels, GiveTheSameBitsInEveryInstructionSet) {
     }
 }
 
-TEST(NoiseLine, IsTheNoiseItselfToTheBit) {
-    std::vector<NoisePlace> places;
-    std::vector<float> expected;
-    double x = 0.0, y = 0.0;
-    for (std::uint32_t i = 0; i < 5000; ++i) {
-        // Steps within the same four numbers, to others, and far away, on both sides of 0.
-        const double reach = i % 100 == 0 ? 1000.0 : 0.7;
-        x = (i % 100 == 0 ? 0.0 : x) + reach * (pastoso::core::uniform_noise(i, 1) - 0.5);
-        y = (i % 100 == 0 ? 0.0 : y) + reach * (pastoso::core::uniform_noise(i, 2) - 0.5);
-        places.push_back(noise_place(x, y));
-        expected.push_back(smooth_noise(x, y, 5));
+/// Where lines cross the marks, and where they go along them.
+struct GessoPlaces {
+    static constexpr int kCount = 1000, kBeyond = 16;
+    std::vector<double> columns_mm;
+    std::vector<std::uint32_t> before[4];
+    std::vector<float> share[4];
+
+    explicit GessoPlaces(std::vector<double> at_mm) : columns_mm(std::move(at_mm)) {}
+
+    NoiseColumns of(int which, double width_mm) {
+        for (const double at_mm : columns_mm) {
+            const NoisePlace place = noise_place(at_mm / width_mm);
+            before[which].push_back(place.before);
+            share[which].push_back(place.share);
+        }
+        return {before[which].data(), share[which].data()};
     }
-    std::vector<float> found(places.size());
-    NoiseLine(5).put(places, found);
-    EXPECT_EQ(found, expected);
+};
+
+/// The relief of gesso as its equation has it.
+float gesso_height(double along_mm, double across_mm) {
+    const auto noise = [&](const GessoNoise& of, double at_mm) {
+        return smooth_noise(along_mm / of.along_mm, at_mm / of.across_mm, of.stream);
+    };
+    const double drifted_mm = across_mm + kGessoDrift_mm * noise(kGessoDrift, across_mm);
+    return 0.4F * noise(kBroadMarks, drifted_mm) + 0.4F * noise(kFineMarks, drifted_mm) +
+           0.2F * noise(kGessoGrain, across_mm);
+}
+
+TEST(GessoKernels, GiveTheReliefToTheBitInEveryInstructionSet) {
+    // On both sides of 0, near and far.
+    const auto column_mm = [](int k) {
+        return (k % 7 == 0 ? 700.0 : 9.0) *
+               (pastoso::core::uniform_noise(static_cast<std::uint32_t>(k), 1) - 0.5);
+    };
+    std::vector<double> columns_mm;
+    for (int k = 0; k < GessoPlaces::kCount + GessoPlaces::kBeyond; ++k)
+        columns_mm.push_back(column_mm(k));
+    using pastoso::core::Isa;
+    for (const double line_mm : {-313.3, -0.01, 0.0, 77.7}) {
+        for (const bool along_marks : {true, false}) {
+            GessoPlaces along(along_marks ? columns_mm : std::vector<double>{line_mm}),
+                across(along_marks ? std::vector<double>{line_mm} : columns_mm);
+            const GessoLine line{.count = GessoPlaces::kCount,
+                                 .drift_along = along.of(0, kGessoDrift.along_mm),
+                                 .broad_along = along.of(1, kBroadMarks.along_mm),
+                                 .fine_along = along.of(2, kFineMarks.along_mm),
+                                 .grain_along = along.of(3, kGessoGrain.along_mm),
+                                 .drift_across = across.of(0, kGessoDrift.across_mm),
+                                 .grain_across = across.of(1, kGessoGrain.across_mm),
+                                 .across_mm = across.columns_mm.data()};
+            for (const Isa isa : {Isa::Baseline, Isa::Avx2, Isa::Avx512}) {
+                if (isa > pastoso::core::best_isa()) continue;
+                std::vector<float> found(columns_mm.size());
+                const auto& kernels = pastoso::core::kernels<GessoKernels>(isa);
+                (along_marks ? kernels.along_marks : kernels.across_marks)(line, found.data());
+                for (int k = 0; k < GessoPlaces::kCount; ++k)
+                    ASSERT_EQ(found[k], along_marks ? gesso_height(columns_mm[k], line_mm)
+                                                    : gesso_height(line_mm, columns_mm[k]))
+                        << pastoso::core::name_of(isa) << ", column " << k << ", along marks "
+                        << along_marks << ", line at " << line_mm << " mm";
+            }
+        }
+    }
 }
 
 /// Crowns that a line through a cloth goes over, in a millimetre.

@@ -1,100 +1,156 @@
 // The tooth of a panel: gesso that was brushed on, line by line.
 #include "core/check.hpp"
+#include "film/support/gesso_kernel.hpp"
 #include "film/support/smooth_noise.hpp"
 #include "film/support/support.hpp"
 #include "film/support/support_sampling.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace pastoso::film {
 namespace {
 
-constexpr double kFineBrushMark_mm = 0.3;
+/// Arrays are read and written as far as the widest registers reach.
+constexpr std::size_t kBeyond = 16;
 
-/// Places along a line.
-using Places = std::vector<double>;
+using Lengths = std::span<const double>;
 
-/// Brush marks in gesso, long in x and narrow in y, in two widths, over a fine grain.
-class Gesso {
+/// Where a noise is looked up.
+class NoisePlaces {
   public:
-    void put_heights(const Places& x_mm, const Places& y_mm, std::vector<float>& heights) {
-        put(drift_, x_mm, 40.0, y_mm, 60.0, drifts_);
-        drifted_mm_.resize(y_mm.size());
-        for (std::size_t k = 0; k < y_mm.size(); ++k)
-            drifted_mm_[k] = y_mm[k] + 3.0 * drifts_[k];
-        put(broad_, x_mm, 30.0, drifted_mm_, 1.2, broads_);
-        put(fine_, x_mm, 9.0, drifted_mm_, kFineBrushMark_mm, fines_);
-        put(grain_, x_mm, 0.6, y_mm, 0.4, grains_);
-        heights.resize(x_mm.size());
-        for (std::size_t k = 0; k < heights.size(); ++k)
-            heights[k] = 0.4F * broads_[k] + 0.4F * fines_[k] + 0.2F * grains_[k];
+    void put(Lengths at_mm, double width_mm) {
+        before_.clear();
+        share_.clear();
+        for (const double each_mm : at_mm) {
+            const NoisePlace place = noise_place(each_mm / width_mm);
+            before_.push_back(place.before);
+            share_.push_back(place.share);
+        }
     }
+    NoiseColumns columns() const { return {before_.data(), share_.data()}; }
 
   private:
-    void put(const NoiseLine& noise, const Places& x_mm, double along_mm, const Places& y_mm,
-             double across_mm, std::vector<float>& values) {
-        places_.resize(x_mm.size());
-        for (std::size_t k = 0; k < places_.size(); ++k)
-            places_[k] = noise_place(x_mm[k] / along_mm, y_mm[k] / across_mm);
-        values.resize(places_.size());
-        noise.put(places_, values);
-    }
-
-    NoiseLine drift_{1}, broad_{2}, fine_{3}, grain_{4};
-    Places drifted_mm_;
-    std::vector<NoisePlace> places_;
-    std::vector<float> drifts_, broads_, fines_, grains_;
+    std::vector<std::uint32_t> before_;
+    std::vector<float> share_;
 };
 
-/// One coat.
-class SingleCoat {
+enum class Lines { AlongMarks, AcrossMarks };
+
+/// Brush marks in gesso, long and narrow, in two widths, over a fine grain; seen along parallel lines.
+template <Lines kLines>
+class Coat {
   public:
-    void put_heights(const Places& x_mm, double y_mm, std::span<float> heights) {
-        y_mm_.assign(x_mm.size(), y_mm);
-        coat_.put_heights(x_mm, y_mm_, found_);
-        std::copy(found_.begin(), found_.end(), heights.begin());
+    /// The lines' columns, those beyond included.
+    explicit Coat(std::vector<double> columns_mm) : columns_mm_(std::move(columns_mm)) {
+        if constexpr (kLines == Lines::AlongMarks)
+            put_along(columns_mm_);
+        else
+            put_across(columns_mm_);
+        heights_.resize(columns_mm_.size());
+    }
+
+    /// Of the columns, from 0 to 1.
+    const std::vector<float>& heights(double line_mm) {
+        const GessoKernels& kernels = core::kernels<GessoKernels>();
+        if constexpr (kLines == Lines::AlongMarks) {
+            put_across({&line_mm, 1});
+            kernels.along_marks(line(&line_mm), heights_.data());
+        } else {
+            put_along({&line_mm, 1});
+            kernels.across_marks(line(columns_mm_.data()), heights_.data());
+        }
+        return heights_;
     }
 
   private:
-    Gesso coat_;
-    Places y_mm_;
-    std::vector<float> found_;
+    void put_along(Lengths at_mm) {
+        drift_along_.put(at_mm, kGessoDrift.along_mm);
+        broad_along_.put(at_mm, kBroadMarks.along_mm);
+        fine_along_.put(at_mm, kFineMarks.along_mm);
+        grain_along_.put(at_mm, kGessoGrain.along_mm);
+    }
+
+    void put_across(Lengths at_mm) {
+        drift_across_.put(at_mm, kGessoDrift.across_mm);
+        grain_across_.put(at_mm, kGessoGrain.across_mm);
+    }
+
+    GessoLine line(const double* across_mm) const {
+        return {.count = static_cast<int>(columns_mm_.size() - kBeyond),
+                .drift_along = drift_along_.columns(),
+                .broad_along = broad_along_.columns(),
+                .fine_along = fine_along_.columns(),
+                .grain_along = grain_along_.columns(),
+                .drift_across = drift_across_.columns(),
+                .grain_across = grain_across_.columns(),
+                .across_mm = across_mm};
+    }
+
+    std::vector<double> columns_mm_;
+    NoisePlaces drift_along_, broad_along_, fine_along_, grain_along_, drift_across_, grain_across_;
+    std::vector<float> heights_;
+};
+
+/// One coat, from left to right.
+class SingleCoat {
+  public:
+    explicit SingleCoat(const std::vector<double>& x_mm) : coat_(x_mm) {}
+
+    void put_heights(double y_mm, std::span<float> heights) {
+        std::copy_n(coat_.heights(y_mm).begin(), heights.size(), heights.begin());
+    }
+
+  private:
+    Coat<Lines::AlongMarks> coat_;
 };
 
 /// A second coat, laid across the first with a brush three times as broad.
 class CrossedCoats {
   public:
-    void put_heights(const Places& x_mm, double y_mm, std::span<float> heights) {
-        constexpr double kBroader = 3.0;
-        first_.put_heights(x_mm, y_mm, heights);
-        along_mm_.assign(x_mm.size(), y_mm / kBroader + 500.0);
-        across_mm_.resize(x_mm.size());
-        for (std::size_t k = 0; k < x_mm.size(); ++k)
-            across_mm_[k] = x_mm[k] / kBroader;
-        second_.put_heights(along_mm_, across_mm_, found_);
+    explicit CrossedCoats(const std::vector<double>& x_mm) : first_(x_mm), second_(narrower(x_mm)) {}
+
+    void put_heights(double y_mm, std::span<float> heights) {
+        const std::vector<float>&first = first_.heights(y_mm),
+              &second = second_.heights(y_mm / kBroader + 500.0);
         for (std::size_t k = 0; k < heights.size(); ++k)
-            heights[k] = 0.45F * heights[k] + 0.55F * found_[k];
+            heights[k] = 0.45F * first[k] + 0.55F * second[k];
     }
 
   private:
-    SingleCoat first_;
-    Gesso second_;
-    Places along_mm_, across_mm_;
-    std::vector<float> found_;
+    static constexpr double kBroader = 3.0;
+
+    static std::vector<double> narrower(std::vector<double> x_mm) {
+        for (double& each : x_mm)
+            each /= kBroader;
+        return x_mm;
+    }
+
+    Coat<Lines::AlongMarks> first_;
+    Coat<Lines::AcrossMarks> second_;
 };
+
+/// Of the cells' samples, and of those beyond.
+std::vector<double> sampled_places(std::int64_t first, std::size_t count, double step_mm) {
+    std::vector<double> places_mm(count + kBeyond);
+    for (std::size_t k = 0; k < places_mm.size(); ++k)
+        places_mm[k] = (static_cast<double>(first) + static_cast<double>(k) + 0.5) * step_mm;
+    return places_mm;
+}
 
 template <class Coats>
 SupportHeights gesso_support(grid::Shape shape, double cell_mm, double relief_mm, core::ThreadPool& pool,
                              SupportForm form, const ClothPlace& place) {
-    const int samples = samples_per_cell(cell_mm, kFineBrushMark_mm / 2.0);
-    const double first_sample = static_cast<double>(place.x0) * samples, step_mm = cell_mm / samples;
-    Places x_mm(static_cast<std::size_t>(shape.width) * samples);
-    for (std::size_t k = 0; k < x_mm.size(); ++k)
-        x_mm[k] = (first_sample + static_cast<double>(k) + 0.5) * step_mm;
+    const int samples = samples_per_cell(cell_mm, kFineMarks.across_mm / 2.0);
+    const std::vector<double> x_mm =
+        sampled_places(std::int64_t{place.x0} * samples, static_cast<std::size_t>(shape.width) * samples,
+                       cell_mm / samples);
     return sampled_in(form, {shape, place.y0}, samples, relief_mm, pool, [&] {
-        return [&x_mm, cell_mm, coats = Coats()](double y_cells, std::span<float> heights) mutable {
-            coats.put_heights(x_mm, y_cells * cell_mm, heights);
+        return [cell_mm, coats = Coats(x_mm)](double y_cells, std::span<float> heights) mutable {
+            coats.put_heights(y_cells * cell_mm, heights);
         };
     });
 }

@@ -42,16 +42,16 @@ class Fibres {
           above_(u.size()),
           below_(u.size()) {
         for (const float each : u) {
-            const double place = each / fibre_pitches, whole = std::floor(place);
-            columns_.push_back(static_cast<std::int32_t>(whole));
-            shares_.push_back(smooth_step(static_cast<float>(place - whole)));
+            const NoisePlace place = noise_place(each / fibre_pitches);
+            columns_.push_back(place.before);
+            shares_.push_back(place.share);
         }
     }
 
     void find(float v) {
-        const double place = v / line_pitches_, whole = std::floor(place);
-        share_ = smooth_step(static_cast<float>(place - whole));
-        const auto row = plane_ + static_cast<std::uint32_t>(static_cast<std::int32_t>(whole));
+        const NoisePlace place = noise_place(v / line_pitches_);
+        share_ = place.share;
+        const std::uint32_t row = plane_ + place.before;
         if (row_ == row) return;
         if (row_ && *row_ + 1 == row)
             above_.swap(below_);
@@ -68,9 +68,9 @@ class Fibres {
   private:
     void put_row(std::uint32_t stream, std::vector<float>& out) const {
         for (std::size_t k = 0; k < out.size();) {
-            const std::int32_t column = columns_[k];
-            const float before = core::uniform_noise(static_cast<std::uint32_t>(column), stream),
-                        after = core::uniform_noise(static_cast<std::uint32_t>(column) + 1, stream);
+            const std::uint32_t column = columns_[k];
+            const float before = core::uniform_noise(column, stream),
+                        after = core::uniform_noise(column + 1, stream);
             for (; k < out.size() && columns_[k] == column; ++k)
                 out[k] = before + shares_[k] * (after - before);
         }
@@ -80,7 +80,7 @@ class Fibres {
     double line_pitches_;
     float share_ = 0.0F;
     std::optional<std::uint32_t> row_{};
-    std::vector<std::int32_t> columns_;
+    std::vector<std::uint32_t> columns_;
     std::vector<float> shares_, above_, below_;
 };
 
