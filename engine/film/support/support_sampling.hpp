@@ -24,12 +24,17 @@ struct SampledCells {
     int first_row = 0;  ///< of the surface, where the cells' row 0 lies
 };
 
-/// Calls put(x, sum) for every cell of a row, y being the surface's: the sum of `samples` x `samples`
-/// heights. fill_row(y, heights) writes the heights along the line at y cells from the surface's origin;
+/// Of every cell of a row, y being the surface's: the sum of `samples` x `samples` heights.
+/// fill_row(y, heights) writes the heights along the line at y cells from the surface's origin;
 /// heights[k] is at x = (k + 0.5) / samples cells.
-template <class FillRow, class Put>
+template <class FillRow>
 void sum_samples(int y, int samples, std::vector<float>& heights, std::vector<double>& sums,
-                 FillRow& fill_row, const Put& put) {
+                 FillRow& fill_row) {
+    if (samples == 1) {
+        fill_row(y + 0.5, std::span<float>(heights));
+        std::copy(heights.begin(), heights.end(), sums.begin());
+        return;
+    }
     std::fill(sums.begin(), sums.end(), 0.0);
     for (int sample = 0; sample < samples; ++sample) {
         fill_row(y + (sample + 0.5) / samples, std::span<float>(heights));
@@ -38,8 +43,6 @@ void sum_samples(int y, int samples, std::vector<float>& heights, std::vector<do
             for (int k = 0; k < samples; ++k)
                 sum += *height++;
     }
-    for (std::size_t x = 0; x < sums.size(); ++x)
-        put(static_cast<int>(x), sums[x]);
 }
 
 /// Cell means of relief_mm * height as floats, rounded down to multiples of kSupportQuantum_mm. Rows are
@@ -53,11 +56,12 @@ SupportHeights sampled_heights(const SampledCells& cells, int samples, double re
     std::vector<double> sums(static_cast<std::size_t>(shape.width));
     const double quanta_per_sum = relief_mm / (kSupportQuantum_mm * samples * samples);
     for (int y = 0; y < shape.height; ++y) {
-        sum_samples(cells.first_row + y, samples, heights, sums, fill_row, [&](int x, double sum) {
-            const double height_mm = std::floor(sum * quanta_per_sum) * kSupportQuantum_mm;
+        sum_samples(cells.first_row + y, samples, heights, sums, fill_row);
+        for (int x = 0; x < shape.width; ++x) {
+            const double height_mm = std::floor(sums[x] * quanta_per_sum) * kSupportQuantum_mm;
             field.write(shape.tile_at(x, y))[grid::Shape::cell_in_tile(x, y)] =
                 static_cast<float>(height_mm);
-        });
+        }
     }
     return field;
 }
@@ -76,10 +80,13 @@ void sample_tile_row(int row, int first_row, int samples, double level_mm, doubl
     const double levels_per_sum = relief_mm / (level_mm * samples * samples);
     const int end = std::min(shape.height, (row + 1) * kTileSize);
     for (int y = row * kTileSize; y < end; ++y) {
-        sum_samples(first_row + y, samples, heights, sums, fill_row, [&](int x, double sum) {
-            blocks[static_cast<std::size_t>(x / kTileSize)].write()[grid::Shape::cell_in_tile(x, y)] =
-                static_cast<std::uint16_t>(sum * levels_per_sum);
-        });
+        sum_samples(first_row + y, samples, heights, sums, fill_row);
+        for (int column = 0; column < shape.tiles_x(); ++column) {
+            const int x0 = column * kTileSize, count = std::min(kTileSize, shape.width - x0);
+            std::uint16_t* levels = blocks[column].write() + grid::Shape::cell_in_tile(x0, y);
+            for (int k = 0; k < count; ++k)
+                levels[k] = static_cast<std::uint16_t>(sums[x0 + k] * levels_per_sum);
+        }
     }
     for (int column = 0; column < shape.tiles_x(); ++column)
         field.replace(row * shape.tiles_x() + column,
