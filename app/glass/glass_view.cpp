@@ -23,10 +23,19 @@ constexpr int kHurriedPasses = 3;
 constexpr int kRest_ms = 140;
 constexpr double kOrbit_deg_per_px = 0.35;
 
-QOpenGLFramebufferObjectFormat fine_format() {
-    QOpenGLFramebufferObjectFormat format;
-    format.setInternalTextureFormat(GL_RGBA16F);
-    return format;
+std::unique_ptr<QOpenGLFramebufferObject> new_picture(QSize size, GLenum format) {
+    return std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::NoAttachment,
+                                                      GL_TEXTURE_2D, format);
+}
+
+/// The row that is first in one is last in the other.
+void copy_turned(QOpenGLExtraFunctions& gl, GLuint from, const QRect& part, GLuint to,
+                 const QRect& place) {
+    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    gl.glBlitFramebuffer(part.x(), part.y(), part.x() + part.width(), part.y() + part.height(),
+                         place.x(), place.y() + place.height(), place.x() + place.width(), place.y(),
+                         GL_COLOR_BUFFER_BIT, part.size() == place.size() ? GL_NEAREST : GL_LINEAR);
 }
 
 }  // namespace
@@ -54,8 +63,11 @@ bool GlassView::finished() const {
 
 QImage GlassView::picture() {
     const auto pointer = std::exchange(pointer_, std::nullopt);
+    for_screen_ = false;
     QImage picture = grabFramebuffer();
+    for_screen_ = true;
     pointer_ = pointer;
+    update();
     return picture;
 }
 
@@ -89,14 +101,17 @@ QSize GlassView::device_size() const {
 
 void GlassView::make_graphics() {
     renderer().initialise(&gl());
+    finish_.initialise(&gl());
     begin_anew();
 }
 
 void GlassView::free_graphics() {
     renderer().release();
+    finish_.release();
     shows_latest_ = false;
     draft_.reset();
     still_.reset();
+    seen_.reset();
 }
 
 /// A draft at once, as coarse as it must be; once nothing moves, strips of the picture in full quality
@@ -108,7 +123,8 @@ void GlassView::paintGL() {
     if (!shows_latest_) show_latest();
     shows_latest_ = true;
     if (still_ == nullptr || still_->size() != size) {
-        still_ = std::make_unique<QOpenGLFramebufferObject>(size, fine_format());
+        still_ = new_picture(size, GL_RGBA16F);
+        seen_ = new_picture(size, GL_RGBA16);
         draft_is_due_ = true;
         pass_ = row_ = 0;
     }
@@ -116,6 +132,7 @@ void GlassView::paintGL() {
         draw_draft(size);
     else if (pass_ < passes_ && !resting_.isActive())
         refine(size);
+    compose(size);
     present(size);
     put_marks_over(size);
     if (pass_ < passes_ && !resting_.isActive()) update();
@@ -126,8 +143,7 @@ void GlassView::draw_draft(QSize size) {
     const double coarse = std::sqrt(pixels * pixel_cost_s_ / kDraft_s);
     const int side = std::clamp(static_cast<int>(std::ceil(coarse)), 1, kCoarsest);
     const QSize draft((size.width() + side - 1) / side, (size.height() + side - 1) / side);
-    if (draft_ == nullptr || draft_->size() != draft)
-        draft_ = std::make_unique<QOpenGLFramebufferObject>(draft, fine_format());
+    if (draft_ == nullptr || draft_->size() != draft) draft_ = new_picture(draft, GL_RGBA16F);
     QElapsedTimer timer;
     timer.start();
     renderer().draw(*draft_, QRect(QPoint(0, 0), draft), camera_, 0, Quality::Draft);
@@ -153,20 +169,23 @@ void GlassView::refine(QSize size) {
     if (++pass_ == passes_) Q_EMIT picture_finished();
 }
 
-void GlassView::present(QSize size) {
-    gl().glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    const auto copy = [&](const QOpenGLFramebufferObject& from, const QRect& part, const QRect& to) {
-        gl().glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
-        gl().glBlitFramebuffer(part.x(), part.y(), part.x() + part.width(), part.y() + part.height(),
-                               to.x(), to.y(), to.x() + to.width(), to.y() + to.height(),
-                               GL_COLOR_BUFFER_BIT, part.size() == to.size() ? GL_NEAREST : GL_LINEAR);
-    };
+void GlassView::compose(QSize size) {
     const int ready = pass_ > 0 ? size.height() : row_;
     if (ready < size.height())
-        copy(*draft_, QRect(QPoint(0, 0), draft_->size()), QRect(QPoint(0, 0), size));
-    const QRect part(0, size.height() - ready, size.width(), ready);
-    if (ready > 0) copy(*still_, part, part);
-    gl().glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+        copy_turned(gl(), draft_->handle(), QRect(QPoint(0, 0), draft_->size()), seen_->handle(),
+                    QRect(QPoint(0, 0), size));
+    if (ready > 0)
+        copy_turned(gl(), still_->handle(), QRect(0, size.height() - ready, size.width(), ready),
+                    seen_->handle(), QRect(0, 0, size.width(), ready));
+}
+
+void GlassView::present(QSize size) {
+    const GLuint frame = defaultFramebufferObject();
+    if (for_screen_)
+        return finish_.draw(seen_->texture(), size, appearance::screen_colours().cube(), frame);
+    const QRect all(QPoint(0, 0), size);
+    copy_turned(gl(), seen_->handle(), all, frame, all);
+    gl().glBindFramebuffer(GL_FRAMEBUFFER, frame);
 }
 
 /// Into the frame, not onto the widget: where a picture of the window is taken, a painter of the widget

@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "glass/liquid_renderer.hpp"
 #include "graphics/graphics_widget.hpp"
+#include "graphics/picture_finish.hpp"
 
 #include <optional>
 
@@ -28,7 +29,8 @@ class GlassView : public graphics::GraphicsWidget {
 
     /// Whether the frame on the screen is the final one of the latest moment.
     bool finished() const;
-    /// That frame as a picture, without the pointer's mark.
+    /// That frame as a picture, without the pointer's mark; its colours are the liquid's, and not those
+    /// that the screen is to be given for them.
     QImage picture();
     /// Whether the final frame follows a draft at once, and not only when nothing has moved for a while;
     /// its edges are then a little less smooth.
@@ -77,6 +79,7 @@ class GlassView : public graphics::GraphicsWidget {
     void begin_anew();
     void draw_draft(QSize size);
     void refine(QSize size);
+    void compose(QSize size);
     void present(QSize size);
     void put_marks_over(QSize size);
     QSize device_size() const;
@@ -88,6 +91,9 @@ class GlassView : public graphics::GraphicsWidget {
     GlassCamera camera_;
     bool has_moment_ = false, shows_latest_ = false;
     std::unique_ptr<QOpenGLFramebufferObject> draft_, still_;
+    std::unique_ptr<QOpenGLFramebufferObject> seen_;  ///< what there is of both, its top row first
+    graphics::PictureFinish finish_;
+    bool for_screen_ = true;        ///< else the frame is a picture to be kept
     double pixel_cost_s_ = 0.4e-6;  ///< learnt from the frames so far
     bool draft_is_due_ = true;
     int pass_ = 0, row_ = 0;  ///< of the still picture: what comes next

@@ -1,5 +1,6 @@
 #include "glass/liquid_picture_dialog.hpp"
 
+#include "appearance/screen_colours.hpp"
 #include "core/error.hpp"
 #include "core/fault.hpp"
 #include "liquid_files/traced_picture.hpp"
@@ -60,6 +61,8 @@ LiquidPictureDialog::LiquidPictureDialog(LiquidPictureWords words, Subject subje
     row->addWidget(picture_, 1);
     row->addLayout(side);
     resize(820, 560);
+    connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
+            &LiquidPictureDialog::show_picture);
     show_progress();
 }
 
@@ -178,8 +181,8 @@ void LiquidPictureDialog::show_progress() {
 void LiquidPictureDialog::show_picture() {
     if (shown_.isNull()) return;
     const double ratio = devicePixelRatioF();
-    QPixmap pixmap = QPixmap::fromImage(
-        shown_.scaled(picture_->size() * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    QPixmap pixmap = QPixmap::fromImage(appearance::shown(
+        shown_.scaled(picture_->size() * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
     pixmap.setDevicePixelRatio(ratio);
     picture_->setPixmap(pixmap);
 }

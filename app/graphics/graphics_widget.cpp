@@ -1,10 +1,15 @@
 #include "graphics/graphics_widget.hpp"
 
 #include "core/error.hpp"
+#include "graphics/opengl_support.hpp"
 
 #include <QOpenGLContext>
 
 namespace pastoso::graphics {
+
+GraphicsWidget::GraphicsWidget(QWidget* parent) : QOpenGLWidget(parent) {
+    if (deep_colour()) setTextureFormat(GL_RGB10_A2);
+}
 
 GraphicsWidget::~GraphicsWidget() {
     // The context outlives this part of the object: its end must not call back into it.

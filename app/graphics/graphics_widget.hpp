@@ -1,5 +1,5 @@
-// A widget that OpenGL draws, and that outlives its context: Qt takes that away when the widget comes to
-// another window, and gives it a new one.
+// A widget that OpenGL draws, in 10 bits a colour where windows have them, and that outlives its
+// context: Qt takes that away when the widget comes to another window, and gives it a new one.
 #pragma once
 
 #include <QOpenGLExtraFunctions>
@@ -12,7 +12,7 @@ namespace pastoso::graphics {
 class GraphicsWidget : public QOpenGLWidget {
     Q_OBJECT
   public:
-    explicit GraphicsWidget(QWidget* parent = nullptr) : QOpenGLWidget(parent) {}
+    explicit GraphicsWidget(QWidget* parent = nullptr);
     ~GraphicsWidget() override;
 
   Q_SIGNALS:

@@ -2,13 +2,6 @@
 
 namespace pastoso::screen {
 
-const char* const kCanvasVertexShader = R"(#version 330 core
-void main() {
-    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-    gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
-
 const char* const kMovedFragmentShader = R"(#version 330 core
 uniform sampler2D picture;
 uniform vec2 size_px;

@@ -8,9 +8,6 @@
 
 namespace pastoso::screen {
 
-/// One triangle that covers the viewport.
-extern const char* const kCanvasVertexShader;
-
 /// The part of it that knows on which side of an outline a point lies.
 extern const char* const kOutlineShader;
 

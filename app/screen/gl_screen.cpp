@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "graphics/graphics_fault.hpp"
-#include "graphics/opengl_support.hpp"
 #include "screen/canvas_shader.hpp"
 #include "screen/damaged_pixels.hpp"
 #include "screen/qt_rect.hpp"
@@ -61,7 +60,6 @@ GlScreen::GlScreen(ScreenHost& host, QWidget& parent)
               this, [this] { update(); }, Qt::QueuedConnection);
       }) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    if (graphics::deep_colour()) setTextureFormat(GL_RGB10_A2);
     cooling_.setSingleShot(true);
     cooling_.setInterval(kCoolingTime_ms);
     connect(&cooling_, &QTimer::timeout, this, [this] {

@@ -1,5 +1,6 @@
 #include "screen/picture_buffer.hpp"
 
+#include "graphics/finish_shader.hpp"
 #include "graphics/graphics_fault.hpp"
 #include "screen/canvas_shader.hpp"
 #include "screen/shading_uniforms.hpp"
@@ -65,7 +66,7 @@ void PictureBuffer::prepare(Look look) {
 QOpenGLShaderProgram& PictureBuffer::program_of(const ProgramKind& kind) {
     std::unique_ptr<QOpenGLShaderProgram>& program = programs_[kind];
     if (program == nullptr) {
-        program = graphics::shader_program(kCanvasVertexShader,
+        program = graphics::shader_program(graphics::kCoveringVertexShader,
                                            canvas_fragment_shader(kind.first, kind.second).c_str());
     }
     return *program;
@@ -96,7 +97,7 @@ void PictureBuffer::resize(QSize window_px, const Rgb& ground) {
 
 void PictureBuffer::move(const ViewTransform& from, const ViewTransform& to, const Rgb& ground) {
     if (move_program_ == nullptr)
-        move_program_ = graphics::shader_program(kCanvasVertexShader, kMovedFragmentShader);
+        move_program_ = graphics::shader_program(graphics::kCoveringVertexShader, kMovedFragmentShader);
     if (spare_ == nullptr) spare_ = new_picture(size_);
     const glm::dvec2 origin = moved_px(to, from, {0.0, 0.0});
     const glm::dmat2 per_px{moved_px(to, from, {1.0, 0.0}) - origin,

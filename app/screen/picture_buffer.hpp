@@ -1,7 +1,7 @@
 // The shaded window as it was last drawn, kept on the graphics card: only what changed is shaded again.
 #pragma once
 
-#include "screen/picture_finish.hpp"
+#include "graphics/picture_finish.hpp"
 #include "screen/quality.hpp"
 #include "screen/scene.hpp"
 #include "screen/shading_uniforms.hpp"
@@ -62,7 +62,7 @@ class PictureBuffer {
     std::unique_ptr<QOpenGLFramebufferObject> coarse_;
     std::unique_ptr<QOpenGLFramebufferObject> spare_;  ///< as large as the picture; made when it moves
     std::unique_ptr<QOpenGLShaderProgram> move_program_;  ///< the same
-    PictureFinish finish_;
+    graphics::PictureFinish finish_;
     GLuint vertex_array_ = 0;
 };
 

@@ -1,8 +1,8 @@
 #include "screen/raster_picture.hpp"
 
+#include "appearance/dither.hpp"
 #include "pigment/colour.hpp"
 #include "screen/damaged_pixels.hpp"
-#include "screen/dither.hpp"
 #include "screen/encoded_pixels.hpp"
 #include "screen/qt_rect.hpp"
 #include "screen/quality.hpp"
@@ -42,9 +42,9 @@ pigment::EncodedRgb colour_of(const QRgba64& pixel) {
 }
 
 QRgb dithered_pixel(const pigment::EncodedRgb& colour, int x, int y) {
-    const float threshold = dither_threshold(x, y);
-    return qRgb(dithered(colour[0], threshold), dithered(colour[1], threshold),
-                dithered(colour[2], threshold));
+    const float threshold = appearance::dither_threshold(x, y);
+    return qRgb(appearance::dithered(colour[0], threshold), appearance::dithered(colour[1], threshold),
+                appearance::dithered(colour[2], threshold));
 }
 
 /// The ground with the soft shadow of the canvas's edge, as the canvas's shader draws it; none within

@@ -4,6 +4,12 @@
 #include "core/text_file.hpp"
 #include "dialogs/settings_dialog.hpp"
 #include "files/made_profiles.hpp"
+#include "glass/liquid_picture_dialog.hpp"
+#include "glass/tank_page.hpp"
+#include "glass/tea_page.hpp"
+#include "liquid_files/tank_json.hpp"
+#include "main/liquids/tank_mode.hpp"
+#include "main/liquids/tea_mode.hpp"
 #include "main/program/colord_profile.hpp"
 #include "main/program/kept_preferences.hpp"
 #include "main/window_parts.hpp"
@@ -20,9 +26,12 @@
 #include <QDBusObjectPath>
 #include <QDBusVariant>
 #include <QDBusVirtualObject>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
+#include <QPushButton>
 #include <QScreen>
+#include <QSpinBox>
 #include <QTimer>
 #include <gmock/gmock.h>
 
@@ -134,6 +143,87 @@ TEST_F(ColoursWindow, CanvasAndSwatchesTakeTheColoursOfTheScreen) {
         in_settings([](QWidget& dialog) { choose(dialog, "none"); });
         EXPECT_EQ(difference(picture(), plain).largest, 0);
     }
+}
+
+class LiquidColours : public ColoursWindow {
+  protected:
+    void open_small_tank() {
+        tank::TankScene scene;
+        scene.cells = {12, 12, 12};
+        scene.cell_m = 0.01;
+        scene.liquids.push_back(
+            {.shape = {tank::Block{glm::vec3(-0.1F), glm::vec3(0.3F, 0.3F, 0.04F)}}});
+        parts().tank.open_scene(
+            QString::fromStdString(file("small.json", liquid_files::tank_to_json(scene))));
+        wait_for([this] { return parts().tank.page().view().shown() != nullptr; });
+    }
+    void open_small_glass() {
+        give(Command::MilkTea);
+        liquid::TeaSettings settings;
+        settings.cells = 16;
+        parts().tea.page().panel().show_settings(settings);
+        give(Command::TeaNewGlass);
+        wait_for([this] {
+            const auto* shown = parts().tea.page().view().shown();
+            return shown != nullptr && shown->settings.cells == 16;
+        });
+    }
+    /// At rest, and small, so that it is drawn soon without a graphics card.
+    QImage frame(glass::GlassView& view) {
+        view.setFixedSize(320, 240);
+        view.set_hurried(true);
+        QApplication::processEvents();
+        wait_for([&] { return view.finished(); });
+        return view.grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    }
+    void expect_colours_of_the_screen(glass::GlassView& view) {
+        const QImage plain = frame(view), kept = view.picture();
+        EXPECT_EQ(difference(plain, kept.convertToFormat(QImage::Format_RGB888)).largest, 1)
+            << "only the frame is dithered";
+        show_on(swapped());
+        const QImage seen = frame(view);
+        EXPECT_LT(mean_fault(plain, seen), 0.75) << "as of the canvas";
+        EXPECT_GT(difference(plain, seen).mean, 3.0);
+        EXPECT_EQ(view.picture(), kept) << "what is kept is not for this screen";
+        in_settings([](QWidget& dialog) { choose(dialog, "none"); });
+        EXPECT_EQ(difference(frame(view), plain).largest, 0);
+    }
+};
+
+TEST_F(LiquidColours, TheTankIsShownInThoseOfTheScreen) {
+    open_small_tank();
+    give(Command::LiquidPause);
+    parts().tank.session().wait_until_applied();
+    expect_colours_of_the_screen(parts().tank.page().view());
+}
+
+TEST_F(LiquidColours, TheGlassIsShownInThoseOfTheScreen) {
+    open_small_glass();
+    give(Command::LiquidPause);
+    parts().tea.session().wait_until_applied();
+    expect_colours_of_the_screen(parts().tea.page().view());
+}
+
+TEST_F(LiquidColours, PicturesOfThemAre) {
+    open_small_tank();
+    glass::LiquidPictureDialog& dialog = parts().tank.picture();
+    for (const char* side : {"picture_width", "picture_height"})
+        dialog.findChild<QSpinBox*>(QString::fromLatin1(side))->setValue(16);
+    dialog.findChild<QSpinBox*>(QStringLiteral("picture_samples"))->setValue(1);
+    dialog.findChild<QPushButton*>(QStringLiteral("picture_start"))->click();
+    wait_for([&] { return !dialog.rendering() && dialog.has_picture(); });
+    const auto seen = [&] {
+        for (const QLabel* label : dialog.findChildren<QLabel*>())
+            if (!label->pixmap().isNull())
+                return label->pixmap().toImage().convertToFormat(QImage::Format_RGB888);
+        return QImage();
+    };
+    const QImage plain = seen();
+    dialog.hide();
+    show_on(swapped());
+    ASSERT_FALSE(plain.isNull());
+    EXPECT_EQ(seen(), appearance::shown(plain).convertToFormat(QImage::Format_RGB888));
+    EXPECT_NE(seen(), plain);
 }
 
 TEST_F(ColoursWindow, TheChoiceIsKept) {

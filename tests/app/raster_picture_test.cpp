@@ -1,9 +1,9 @@
 #include "screen/raster_picture.hpp"
 
+#include "appearance/dither.hpp"
 #include "files/made_profiles.hpp"
 #include "files/screen_colours.hpp"
 #include "pigment/colour.hpp"
-#include "screen/dither.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,6 +13,9 @@
 
 namespace pastoso::screen {
 namespace {
+
+using appearance::dither_threshold;
+using appearance::dithered;
 
 constexpr QSize kWindow_px(64, 48);
 

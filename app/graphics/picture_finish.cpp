@@ -1,12 +1,11 @@
-#include "screen/picture_finish.hpp"
+#include "graphics/picture_finish.hpp"
 
+#include "graphics/finish_shader.hpp"
 #include "graphics/graphics_fault.hpp"
-#include "screen/canvas_shader.hpp"
-#include "screen/finish_shader.hpp"
 
 #include <QVector3D>
 
-namespace pastoso::screen {
+namespace pastoso::graphics {
 namespace {
 
 using pigment::ColourCube;
@@ -29,7 +28,7 @@ float levels_of(QOpenGLExtraFunctions& gl, GLuint framebuffer) {
 
 void PictureFinish::initialise(QOpenGLExtraFunctions* gl) {
     gl_ = gl;
-    program_ = graphics::shader_program(kCanvasVertexShader, kFinishShader);
+    program_ = shader_program(kCoveringVertexShader, kFinishShader);
     gl_->glGenVertexArrays(1, &vertex_array_);
     gl_->glGenTextures(1, &cube_);
 }
@@ -79,4 +78,4 @@ void PictureFinish::draw(GLuint picture, const QSize& size, const appearance::Sc
     program_->release();
 }
 
-}  // namespace pastoso::screen
+}  // namespace pastoso::graphics

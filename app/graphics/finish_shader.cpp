@@ -1,11 +1,18 @@
-#include "screen/finish_shader.hpp"
+#include "graphics/finish_shader.hpp"
 
-namespace pastoso::screen {
+namespace pastoso::graphics {
 
-// The names are those of pigment/colour_cube.hpp and screen/dither.hpp. The picture's first row is the
-// window's top, OpenGL's is the bottom.
+const char* const kCoveringVertexShader = R"(#version 330 core
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+// The names are those of pigment/colour_cube.hpp and appearance/dither.hpp. The picture's first row is
+// the window's top, OpenGL's is the bottom.
 const char* const kFinishShader = R"(#version 330 core
-uniform sampler2D picture;   // alpha: share of canvas, the rest is ground
+uniform sampler2D picture;   // alpha: share that the cube is for, the rest is as it is to be seen
 uniform sampler3D cube;      // alpha: outside
 uniform int cube_last;       // node along a side; 0 without a cube
 uniform vec3 gamut_mark;
@@ -45,4 +52,4 @@ void main() {
 }
 )";
 
-}  // namespace pastoso::screen
+}  // namespace pastoso::graphics

@@ -1,7 +1,7 @@
 // Colours between the levels of a screen.
 #pragma once
 
-namespace pastoso::screen {
+namespace pastoso::appearance {
 
 /// Above this share of the way from a level to the next one a pixel gets the next, 0 to 1: the 64
 /// thresholds of an ordered dither (Bayer 1973), which any 8 x 8 pixels hold once. They stand still on
@@ -19,4 +19,4 @@ constexpr int dithered(float value, float threshold) {
     return static_cast<int>(255.0F * value + threshold);
 }
 
-}  // namespace pastoso::screen
+}  // namespace pastoso::appearance

@@ -9,16 +9,17 @@
 #include <QOpenGLShaderProgram>
 #include <QSize>
 
-namespace pastoso::screen {
+namespace pastoso::graphics {
 
 /// All calls need the current context that initialise() was called in.
 class PictureFinish {
   public:
-    /// Throws graphics::GraphicsFault when the driver refuses the shader.
+    /// Throws a GraphicsFault when the driver refuses the shader.
     void initialise(QOpenGLExtraFunctions* gl);
     void release();
 
-    /// Draws a picture, its top row first, into the framebuffer and leaves that bound.
+    /// Draws a picture, its top row first, into the framebuffer and leaves that bound. Its alpha is the
+    /// share of it that goes through the cube.
     void draw(GLuint picture, const QSize& size, const appearance::ScreenCube& cube, GLuint framebuffer);
 
   private:
@@ -31,4 +32,4 @@ class PictureFinish {
     appearance::ScreenCube uploaded_;
 };
 
-}  // namespace pastoso::screen
+}  // namespace pastoso::graphics
