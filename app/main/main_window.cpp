@@ -12,7 +12,8 @@ namespace pastoso::main {
 
 MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journal,
                        const KeptPreferences& preferences)
-    : studio_(*this),
+    : first_canvas_(std::in_place, canvas),
+      studio_(*this),
       panels_(lay_out(studio_)),
       parts_(std::make_unique<WindowParts>(studio_, panels_, keeps_journal)) {
     WindowParts& parts = *parts_;
@@ -30,7 +31,8 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.thinning,
             &panels::ThinningSlider::finish);
     studio_.commands().on(commands::Command::Quit, [this](bool) { close(); });
-    parts.files.start(canvas);
+    parts.files.start(first_canvas_->take());
+    first_canvas_.reset();
     parts.brushes.read();
     parts.memory.recall();
     parts.paints.recall();

@@ -1,12 +1,14 @@
 // The window: puts its parts together.
 #pragma once
 
+#include "main/files/prepared_painting.hpp"
 #include "main/panel_set.hpp"
 #include "main/program/kept_preferences.hpp"
 #include "main/studio.hpp"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <QMainWindow>
@@ -41,6 +43,7 @@ class MainWindow : public QMainWindow {
     void closeEvent(QCloseEvent* event) override;
 
   private:
+    std::optional<FirstCanvas> first_canvas_;  ///< until the window is laid out
     Studio studio_;
     const PanelSet panels_;
     std::unique_ptr<WindowParts> parts_;

@@ -5,7 +5,7 @@ namespace pastoso::main {
 WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_journal)
     : messages(studio),
       loading(studio),
-      sizing(studio, panels.readings),
+      sizing(studio, loading, panels.readings),
       layers(studio, panels.layers, panels.docks.at(commands::Command::LayersPanel)),
       layer_pictures(studio, panels.layers, panels.docks.at(commands::Command::LayersPanel)),
       selection(studio, panels.brushes, panels.readings),

@@ -96,6 +96,11 @@ std::uint64_t PaintSession::post(document::Action action) {
     return number;
 }
 
+void PaintSession::have_ready(document::ResizedCanvas canvas) {
+    const std::lock_guard lock(mutex_);
+    ready_canvas_ = std::move(canvas);
+}
+
 void PaintSession::note_hand() {
     const std::lock_guard lock(mutex_);
     hand_moved_ = WallClock::now();
@@ -360,6 +365,8 @@ void PaintSession::apply_posted() {
             if (posted_.empty()) return;
             action = std::move(posted_.front());
             posted_.pop_front();
+            if (ready_canvas_ && std::holds_alternative<document::ResizeCanvas>(action))
+                painting_->have_ready(*std::exchange(ready_canvas_, std::nullopt));
             action_waits_ = !posted_.empty();
             ++applied_count_;
         }

@@ -88,6 +88,9 @@ class PaintSession {
     /// Returns its number; the first action's is 1. It is in a snapshot of as many posted_actions.
     std::uint64_t post(document::Action action);
 
+    /// What the next ResizeCanvas that is posted asks for (document::Painting::have_ready()).
+    void have_ready(document::ResizedCanvas canvas);
+
     /// The brush has moved over the canvas. Where the paint is so slow that a tick would hold up the
     /// brush, it waits until the hand rests.
     void note_hand();
@@ -199,6 +202,7 @@ class PaintSession {
     std::condition_variable work_;
     std::condition_variable published_;
     std::deque<document::Action> posted_;
+    std::optional<document::ResizedCanvas> ready_canvas_;
     std::vector<document::Event> coming_replay_;  ///< by ticks of its own
     std::deque<document::Event> replay_;
     std::shared_ptr<FrameTimes> times_;

@@ -1,8 +1,10 @@
 #include "document/canvas.hpp"
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 #include "core/number_text.hpp"
 #include "film/state.hpp"
+#include "layers/extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +12,7 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <utility>
 
 namespace pastoso::document {
 namespace {
@@ -53,6 +56,12 @@ std::string gib_text(std::size_t bytes) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f GiB", static_cast<double>(bytes) / kBytesPerGiB);
     return text;
+}
+
+film::SupportHeights resized_support(const BareCanvas& bare, const CanvasSettings& wanted,
+                                     const grid::Extent& extent, core::ThreadPool& pool) {
+    if (wanted.support == "image") return layers::widened(bare.support_mm, extent);
+    return named_support(wanted, pool, film::form_of(bare.support_mm));
 }
 
 }  // namespace
@@ -102,6 +111,15 @@ CanvasSettings resized(const ResizeCanvas& resize, CanvasSettings settings) {
     settings.support_y_mm += whole_cells(resize.y_mm);
     check_canvas(settings);
     return settings;
+}
+
+ResizedCanvas resized_canvas(const ResizeCanvas& resize, std::shared_ptr<const BareCanvas> before,
+                             core::ThreadPool& pool) {
+    BareCanvas after{.settings = resized(resize, before->settings), .support_mm = {}};
+    check_canvas_fits(after.settings, core::available_memory_bytes());
+    after.support_mm =
+        resized_support(*before, after.settings, extent_of(resize, before->settings), pool);
+    return {resize, std::move(before), std::make_shared<const BareCanvas>(std::move(after))};
 }
 
 std::size_t estimated_bytes(const grid::Shape& shape) {

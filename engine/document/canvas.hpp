@@ -7,6 +7,7 @@
 #include "grid/extent.hpp"
 
 #include <cstddef>
+#include <memory>
 
 namespace pastoso::document {
 
@@ -38,6 +39,17 @@ grid::Extent extent_of(const ResizeCanvas& resize, const CanvasSettings& setting
 
 /// What becomes of the settings. Throws InputError as check_canvas() does.
 CanvasSettings resized(const ResizeCanvas& resize, CanvasSettings settings);
+
+/// A canvas that is cut or made larger, as it was and as it will be.
+struct ResizedCanvas {
+    ResizeCanvas resize;
+    std::shared_ptr<const BareCanvas> before, after;
+};
+
+/// Makes it; the support's heights take the most of that. Throws InputError where there can be no such
+/// canvas or it would not fit into memory.
+ResizedCanvas resized_canvas(const ResizeCanvas& resize, std::shared_ptr<const BareCanvas> before,
+                             core::ThreadPool& pool);
 
 /// About what a painting of this many cells needs when all of it is wet and being rendered.
 std::size_t estimated_bytes(const grid::Shape& shape);

@@ -80,6 +80,7 @@ struct LivingPainting {
     film::Solver* touched = nullptr;  ///< of the surface that the stroke is on
     std::optional<StrokeBegun> begun;  ///< as long as there is a stroke
     std::uint64_t brush_touches = 0;
+    std::optional<ResizedCanvas> ready_canvas;       ///< Painting::have_ready()
     std::shared_ptr<const LayerStack> layers_shown;  ///< in the latest snapshot
     History history;
 

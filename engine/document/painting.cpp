@@ -51,6 +51,10 @@ void Painting::apply(const Action& action) {
     std::visit([&](const auto& one) { perform(one, *living_); }, action);
 }
 
+void Painting::have_ready(ResizedCanvas canvas) {
+    living_->ready_canvas = std::move(canvas);
+}
+
 void Painting::advance_tick() {
     const ScopedTimer timer(living_->times.film_s);
     living_->finish_tick(living_->canvas.solver.advance(kTick_s));

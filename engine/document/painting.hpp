@@ -95,6 +95,10 @@ class Painting {
     /// back what it held then, unless it was taken, loaded or cleaned since: then it stays as it is.
     void apply(const Action& action);
 
+    /// What the next ResizeCanvas asks for, made before: where it is of this canvas and asks for the
+    /// same, it need not make it anew. Painted is the same.
+    void have_ready(ResizedCanvas canvas);
+
     /// Lets one tick (kTick_s) of paint time pass.
     void advance_tick();
 

@@ -4440,6 +4440,14 @@
         <source>The canvas is %1 × %2 mm now; Undo brings back what it was.</source>
         <translation>The canvas is %1 × %2 mm now; Undo brings back what it was.</translation>
     </message>
+    <message>
+        <source>Making the canvas</source>
+        <translation>Making the canvas</translation>
+    </message>
+    <message>
+        <source>Meanwhile the canvas has become another one; that keeps its size.</source>
+        <translation>Meanwhile the canvas has become another one; that keeps its size.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>

@@ -4432,6 +4432,14 @@
         <source>The canvas is %1 × %2 mm now; Undo brings back what it was.</source>
         <translation>キャンバスは %1 × %2 mm になりました。「元に戻す」で前の大きさに戻ります。</translation>
     </message>
+    <message>
+        <source>Making the canvas</source>
+        <translation>キャンバスを作成中</translation>
+    </message>
+    <message>
+        <source>Meanwhile the canvas has become another one; that keeps its size.</source>
+        <translation>その間にキャンバスが別のものになりました。大きさはそのままです。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>

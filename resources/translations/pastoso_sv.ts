@@ -4440,6 +4440,14 @@
         <source>The canvas is %1 × %2 mm now; Undo brings back what it was.</source>
         <translation>Duken är nu %1 × %2 mm; Ångra återställer den.</translation>
     </message>
+    <message>
+        <source>Making the canvas</source>
+        <translation>Gör duken</translation>
+    </message>
+    <message>
+        <source>Meanwhile the canvas has become another one; that keeps its size.</source>
+        <translation>Duken har under tiden blivit en annan; den behåller sin storlek.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>

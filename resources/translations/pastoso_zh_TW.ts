@@ -4432,6 +4432,14 @@
         <source>The canvas is %1 × %2 mm now; Undo brings back what it was.</source>
         <translation>畫布現在是 %1 × %2 mm；用「復原」可回到原來的樣子。</translation>
     </message>
+    <message>
+        <source>Making the canvas</source>
+        <translation>正在製作畫布</translation>
+    </message>
+    <message>
+        <source>Meanwhile the canvas has become another one; that keeps its size.</source>
+        <translation>畫布在此期間已換成另一張，其大小保持不變。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>

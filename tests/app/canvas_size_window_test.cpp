@@ -37,6 +37,7 @@ class CanvasSize : public WindowTest {
     void give(Command command) {
         ASSERT_TRUE(action(command)->isEnabled()) << action(command)->text().toStdString();
         action(command)->trigger();
+        loaded();
         settle();
     }
 
@@ -52,6 +53,7 @@ class CanvasSize : public WindowTest {
         });
         QTest::keyClick(&canvas(), Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
         EXPECT_TRUE(done);
+        loaded();
         settle();
     }
     static QDoubleSpinBox& box(dialogs::CanvasSizeDialog& dialog, const char* name) {

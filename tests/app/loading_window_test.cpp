@@ -97,6 +97,11 @@ class LoadingWindow : public WindowTest {
         parts().files.open_painting(path(name));
         wait_for([this] { return gate_.reached(); });
     }
+    void begin_to_resize(const document::ResizeCanvas& resize) {
+        gate_.shut();
+        parts().sizing.resize(resize);
+        wait_for([this] { return gate_.reached(); });
+    }
     void go_on() {
         gate_.open();
         loaded();
@@ -256,6 +261,59 @@ TEST_F(LoadingWindow, APictureForALayerWaitsForNothingAndOvertakesNothing) {
     EXPECT_THAT(told(), HasSubstr("a.pastoso"));
     go_on();
     EXPECT_EQ(state(), saved_);
+}
+
+TEST_F(LoadingWindow, WhatIsPaintedWhileTheCanvasIsMadeLargerLiesOnIt) {
+    const document::ResizeCanvas larger{-10.0, -5.0, 80.0, 50.0};
+    begin_to_resize(larger);
+    EXPECT_TRUE(progress().isVisible());
+    EXPECT_EQ(session().canvas().width_mm, 60.0);
+    paint({12.0, 30.0});
+    document::PaintingState expected = session().capture().painting;
+    go_on();
+    EXPECT_EQ(asked_, 0);
+    EXPECT_EQ(session().canvas().width_mm, 80.0);
+    EXPECT_THAT(told(), HasSubstr("80 × 50 mm"));
+    core::ThreadPool pool;
+    document::Painting other(expected, pool);
+    other.apply(larger);
+    EXPECT_EQ(state(), document::state_hash(other.state()));
+    action(Command::Undo)->trigger();
+    settle_paint();
+    EXPECT_EQ(session().canvas().width_mm, 60.0);
+    EXPECT_EQ(state(), document::state_hash(expected));
+    action(Command::Undo)->trigger();
+    settle_paint();
+    EXPECT_EQ(state(), saved_);
+}
+
+TEST_F(LoadingWindow, AnotherSizeOfTheCanvasCanBeGivenUp) {
+    begin_to_resize({-10.0, -5.0, 80.0, 50.0});
+    action(Command::CancelLoading)->trigger();
+    EXPECT_FALSE(parts().loading.busy());
+    wait_for_the_end();
+    EXPECT_EQ(session().canvas().width_mm, 60.0);
+    EXPECT_EQ(state(), saved_);
+}
+
+TEST_F(LoadingWindow, ASizeIsOfTheCanvasThatItWasWishedForOn) {
+    parts().sizing.resize({0.0, 0.0, 30.0, 20.0});
+    loaded();
+    ASSERT_EQ(session().canvas().width_mm, 30.0);
+    begin_to_resize({-10.0, -5.0, 80.0, 50.0});
+    action(Command::Undo)->trigger();
+    settle_paint();
+    go_on();
+    EXPECT_EQ(session().canvas().width_mm, 60.0);
+    EXPECT_THAT(told(), HasSubstr("keeps its size"));
+}
+
+TEST_F(LoadingWindow, ACanvasThatCannotBeIsOneSentence) {
+    begin_to_resize({0.0, 0.0, 60.0, 9000.0});
+    go_on();
+    ASSERT_THAT(studio().messages().standing(), SizeIs(1));
+    EXPECT_THAT(studio().messages().standing()[0].sentence.toStdString(), HasSubstr("9000 mm"));
+    EXPECT_EQ(session().canvas().height_mm, 40.0);
 }
 
 TEST_F(LoadingWindow, ClosingTheWindowGivesUpWhatIsOpened) {

@@ -56,6 +56,29 @@ TEST_F(Resizing, MakingRoomMovesThePaintAndAddsTheSameCloth) {
     EXPECT_EQ(painting.settings().support_x_mm, -5.0);
 }
 
+TEST_F(Resizing, ACanvasThatWasMadeBeforeIsTheSame) {
+    const ResizeCanvas larger{-5, -3, 60, 50};
+    Painting other(painting.state(), pool);
+    const auto bare = painting.snapshot().bare;
+    const ResizedCanvas made = resized_canvas(larger, bare, pool);
+    painting.have_ready(made);
+    painting.apply(larger);
+    EXPECT_EQ(painting.snapshot().bare, made.after);
+    other.apply(larger);
+    EXPECT_EQ(state_hash(painting.state()), state_hash(other.state()));
+}
+
+TEST_F(Resizing, WhatWasMadeOfAnotherCanvasOrForAnotherSizeIsNotTaken) {
+    const ResizeCanvas larger{-5, -3, 60, 50}, smaller{1, 1, 20, 20};
+    const ResizedCanvas made = resized_canvas(larger, painting.snapshot().bare, pool);
+    painting.have_ready(made);
+    painting.apply(smaller);
+    EXPECT_EQ(painting.settings().width_mm, 20.0);
+    painting.apply(larger);
+    EXPECT_NE(painting.snapshot().bare, made.after) << "it was of the canvas before";
+    EXPECT_EQ(painting.settings().support_x_mm, -4.0);
+}
+
 TEST_F(Resizing, TheClothIsThatOfALargerCanvas) {
     painting.apply(ResizeCanvas{10, 5, 20, 20});
     painting.apply(ResizeCanvas{-10, -5, 100, 80});

@@ -1,7 +1,6 @@
 #include "main/canvas/canvas_sizing.hpp"
 
 #include "dialogs/canvas_size_dialog.hpp"
-#include "main/wait_cursor.hpp"
 #include "panels/parts/status_readings.hpp"
 #include "session/layer_painter.hpp"
 #include "tools/canvas_resizing.hpp"
@@ -33,8 +32,8 @@ QImage small_picture(const document::Snapshot& painting) {
 
 }  // namespace
 
-CanvasSizing::CanvasSizing(Studio& studio, panels::StatusReadings* readings)
-    : studio_(studio), readings_(readings) {
+CanvasSizing::CanvasSizing(Studio& studio, Loading& loading, panels::StatusReadings* readings)
+    : studio_(studio), loading_(loading), readings_(readings) {
     studio_.commands().on(Command::CanvasSize, [this](bool) { ask(); });
     studio_.commands().on(Command::CropToSelection, [this](bool) { crop_to_selection(); });
     connect(&studio_, &Studio::session_begun, this, [this] { shown_bare_.reset(); });
@@ -71,17 +70,28 @@ void CanvasSizing::crop_to_selection() {
         studio_.report(tr("The selection reaches over the whole canvas: there is nothing to cut."));
 }
 
-/// The hand waits until the canvas is there: its millimetres are others then.
 void CanvasSizing::resize(const document::ResizeCanvas& resize) {
-    const WaitCursor waiting;
-    const auto before = shown_bare_;
-    studio_.easel().resize(resize);
+    loading_.begin(
+        tr("Making the canvas"), [this, resize, bare = studio_.session().snapshot()->bare](const auto&) {
+            core::ThreadPool pool;
+            return [this, made = document::resized_canvas(resize, bare, pool)] { put_up(made); };
+        });
+}
+
+/// The hand waits until the paint lies on it: its millimetres are others then.
+void CanvasSizing::put_up(const document::ResizedCanvas& canvas) {
+    if (is_lent()) return;
     studio_.catch_up();
-    if (shown_bare_ == before) return;
-    const document::CanvasSettings& canvas = shown_bare_->settings;
+    if (shown_bare_ != canvas.before)
+        return studio_.report(tr("Meanwhile the canvas has become another one; that keeps its size."));
+    studio_.session().have_ready(canvas);
+    studio_.easel().resize(canvas.resize);
+    studio_.catch_up();
+    if (shown_bare_ == canvas.before) return;
+    const document::CanvasSettings& shown = shown_bare_->settings;
     studio_.report(tr("The canvas is %1 × %2 mm now; Undo brings back what it was.")
-                       .arg(canvas.width_mm)
-                       .arg(canvas.height_mm));
+                       .arg(shown.width_mm)
+                       .arg(shown.height_mm));
 }
 
 /// Where the same canvas was cut or made larger, guides follow what lies on it, and the shift is told.

@@ -1,6 +1,7 @@
 // The canvas on the easel: shown as it is, cut and made larger, and what follows it.
 #pragma once
 
+#include "main/files/loading.hpp"
 #include "main/studio.hpp"
 
 #include <memory>
@@ -17,7 +18,11 @@ namespace pastoso::main {
 class CanvasSizing : public QObject {
     Q_OBJECT
   public:
-    CanvasSizing(Studio& studio, panels::StatusReadings* readings);
+    CanvasSizing(Studio& studio, Loading& loading, panels::StatusReadings* readings);
+
+    /// Begins to make the canvas that is wished for, beside the window; it is put up once it is there,
+    /// with what was painted meanwhile.
+    void resize(const document::ResizeCanvas& resize);
 
   Q_SIGNALS:
     void resized();
@@ -26,10 +31,11 @@ class CanvasSizing : public QObject {
     void ask();
     bool is_lent();
     void crop_to_selection();
-    void resize(const document::ResizeCanvas& resize);
+    void put_up(const document::ResizedCanvas& canvas);
     std::optional<glm::dvec2> follow(std::shared_ptr<const document::BareCanvas> bare);
 
     Studio& studio_;
+    Loading& loading_;
     panels::StatusReadings* readings_;
     std::shared_ptr<const document::BareCanvas> shown_bare_;  ///< of this painting; null at first
 };

@@ -50,4 +50,10 @@ MadePainting bare_painting(const document::CanvasSettings& canvas) {
     return {std::move(pool), std::move(painting)};
 }
 
+/// What it throws is for whoever takes it.
+FirstCanvas::FirstCanvas(const document::CanvasSettings& canvas)
+    : make_([canvas] { return bare_painting(canvas); }),
+      made_(make_.get_future()),
+      thread_([this] { make_(); }, [](const std::string&) {}) {}
+
 }  // namespace pastoso::main

@@ -1,11 +1,13 @@
 // A painting that was made beside the window, as it waits for the easel.
 #pragma once
 
+#include "core/thread.hpp"
 #include "journal/journal_writer.hpp"
 #include "session/paint_session.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <string>
 
@@ -46,5 +48,20 @@ using SharedPainting = std::shared_ptr<PreparedPainting>;
 MadePainting made_of(const document::PaintingState& painting, document::Recording past,
                      std::unique_ptr<core::ThreadPool> pool);
 MadePainting bare_painting(const document::CanvasSettings& canvas);
+
+/// The first canvas of a window, made on a thread of its own while the window is laid out.
+class FirstCanvas {
+  public:
+    /// Begins to make it.
+    explicit FirstCanvas(const document::CanvasSettings& canvas);
+
+    /// Waits for it, once. Throws core::InputError when there can be no such canvas.
+    MadePainting take() { return made_.get(); }
+
+  private:
+    std::packaged_task<MadePainting()> make_;
+    std::future<MadePainting> made_;
+    core::Thread thread_;
+};
 
 }  // namespace pastoso::main

@@ -77,8 +77,8 @@ ProjectFiles::ProjectFiles(Studio& studio, Loading& loading, bool keeps_journal)
     });
 }
 
-void ProjectFiles::start(const document::CanvasSettings& canvas) {
-    PreparedPainting painting(bare_painting(canvas), {}, journal_terms());
+void ProjectFiles::start(MadePainting canvas) {
+    PreparedPainting painting(std::move(canvas), {}, journal_terms());
     put_up(painting);
 }
 

@@ -31,8 +31,8 @@ class ProjectFiles : public QObject {
     /// What is painted is kept on the disk as it happens, to be recovered, where `keeps_journal`.
     ProjectFiles(Studio& studio, Loading& loading, bool keeps_journal);
 
-    /// Puts up the first canvas. Throws core::InputError when there can be no such canvas.
-    void start(const document::CanvasSettings& canvas);
+    /// Puts up the first canvas.
+    void start(MadePainting canvas);
 
     using Then = std::function<void()>;
 
