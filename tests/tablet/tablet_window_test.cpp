@@ -46,6 +46,17 @@ class TabletWindow : public WindowTest {
             << "there is no tablet: with_tablet.sh and with_wayland.sh --tablet have one";
         action(commands::Command::Pause)->trigger();
         settle();
+        wait_until_heard();
+    }
+
+    /// A compositor shows a window somewhat later than Qt says, and no pen is over it before.
+    void wait_until_heard() {
+        wait_for([&] {
+            tip_.tell("near 1");
+            tip_.tell(move({5.0, 35.0}, 0.0, 0.0, 0.0));  // no test waits for it there
+            return canvas().pointer_mm().has_value();
+        });
+        tip_.tell("near 0");
     }
 
     std::string move(const glm::dvec2& mm, double pressure, double tilt_x_deg, double tilt_y_deg) {
@@ -56,6 +67,8 @@ class TabletWindow : public WindowTest {
             line += " " + std::to_string(value);
         return line;
     }
+
+    static bool is_leaving_told() { return QGuiApplication::platformName() == "wayland"; }
 
     void wait_for_pointer_mm(double x_mm) {
         wait_for([&] {
@@ -136,11 +149,12 @@ TEST_F(TabletWindow, APenInTheAirPaintsNothing) {
         tip_.tell(move({10.0 + i, 15.0}, 0.0, 0.0, 0.0));
     wait_for_pointer_mm(29.0);
     tip_.tell("near 0");
-    wait_for([&] { return !canvas().pointer_mm(); });
+    if (is_leaving_told()) wait_for([&] { return !canvas().pointer_mm(); });
     EXPECT_EQ(strokes(), 0);
 }
 
 TEST_F(TabletWindow, AStrokeEndsWhereThePenLeavesBeforeItHasLifted) {
+    if (!is_leaving_told()) GTEST_SKIP() << "on X11, Qt hears of it from the drivers of Wacom alone";
     tip_.tell("near 1");
     tip_.tell(move({10.0, 20.0}, 0.5, 0.0, 0.0));
     tip_.tell("tip 1");
@@ -168,7 +182,6 @@ TEST_F(TabletWindow, ItsButtonsAreTheLowerAndTheUpperOne) {
         wait_for([&] { return studio().easel().hand().paint.ingredients.front().pigment == "PB29"; });
         tip_.tell(std::string("button ") + number + " 0");
         tip_.tell("near 0");
-        wait_for([&] { return !canvas().pointer_mm(); });
     }
     EXPECT_EQ(strokes(), 1);
 }
