@@ -10,15 +10,11 @@
 #include "shade/cell_span.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include <QPainter>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec3.hpp>
 
 namespace pastoso::screen {
 namespace {
@@ -140,12 +136,13 @@ void RasterPicture::show(const RasterScene& scene, Quality quality, core::Thread
         far_.begin(seen->film.shape);
     if (scale_top_mm_ != scale_before_mm) scene_.reset();
     const QRegion region = changed_pixels(scene, cells);
-    const bool finished_anew = scene_ && (scene_->colours != scene.colours || moves(scene));
+    const std::optional<glm::ivec2> moved = way_moved(scene);
+    const bool finished_anew = moved || (scene_ && scene_->colours != scene.colours);
     if (image_.size() != scene.window_px) {
         canvas_ = QImage(scene.window_px, QImage::Format_RGBX64);
         image_ = QImage(scene.window_px, QImage::Format_RGB32);
-    } else if (moves(scene)) {
-        move_by(*whole_pixels_between(scene_->view, scene.view));
+    } else if (moved) {
+        move_by(*moved);
     }
     light_ = scene.sight;
     scene_ = scene;
@@ -174,10 +171,10 @@ double RasterPicture::work_of(const QRegion& region) const {
     return pixels * work_per_pixel();
 }
 
-/// Whether the picture that is there is moved along, by whole pixels.
-bool RasterPicture::moves(const RasterScene& scene) const {
-    return scene_ && scene_->view != scene.view && same_but_for_view(*scene_, scene) &&
-           whole_pixels_between(scene_->view, scene.view).has_value();
+/// By which whole pixels the picture that is there is moved along; none: it is not.
+std::optional<glm::ivec2> RasterPicture::way_moved(const RasterScene& scene) const {
+    if (!scene_ || scene_->view == scene.view || !same_but_for_view(*scene_, scene)) return std::nullopt;
+    return whole_pixels_between(scene_->view, scene.view);
 }
 
 void RasterPicture::move_by(const glm::ivec2& pixels) {
@@ -303,9 +300,9 @@ QRegion RasterPicture::changed_pixels(const RasterScene& scene, const QRegion& c
     if (seen_ == nullptr || !scene_) return window;
     QRegion changed;
     if (!same_place(*scene_, scene)) {
-        if (!moves(scene)) return window;
-        const glm::ivec2 by = *whole_pixels_between(scene_->view, scene.view);
-        changed = window - window.translated(by.x, by.y);
+        const std::optional<glm::ivec2> moved = way_moved(scene);
+        if (!moved) return window;
+        changed = window - window.translated(moved->x, moved->y);
     }
     const int reach =
         scene.view.zoom <= kFarZoom ? static_cast<int>(std::ceil(2.0 / scene.view.zoom)) : 0;

@@ -42,7 +42,7 @@ class RasterPicture {
     QRegion changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const;
     double work_per_pixel() const;
     double work_of(const QRegion& region) const;
-    bool moves(const RasterScene& scene) const;
+    std::optional<glm::ivec2> way_moved(const RasterScene& scene) const;
     void move_by(const glm::ivec2& pixels);
     bool seen_from_afar() const;
     QRegion known_from_afar(const QRegion& region) const;
