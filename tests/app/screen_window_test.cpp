@@ -90,7 +90,32 @@ class ScreenTest : public WindowTest {
     }
 };
 
-TEST_F(ScreenTest, ACanvasInPagesIsTheOneInOne) {
+/// In a small window: every page is drawn anew in every picture.
+class PagesTest : public ScreenTest {
+  protected:
+    void SetUp() override {
+        ScreenTest::SetUp();
+        home_ = canvas().parentWidget();
+        home_size_ = canvas().size();
+        stand_ = std::make_unique<QWidget>();
+        put_canvas_into(*stand_);
+        stand_->resize(320, 240);
+        wait_for([&] { return canvas().size() == stand_->size(); });
+        canvas().fit();
+    }
+
+    void TearDown() override {
+        put_canvas_back(*home_, home_size_);
+        ScreenTest::TearDown();
+    }
+
+  private:
+    std::unique_ptr<QWidget> stand_;
+    QWidget* home_ = nullptr;
+    QSize home_size_;
+};
+
+TEST_F(PagesTest, ACanvasInPagesIsTheOneInOne) {
     paint();
     const auto views = some_views();
     const std::vector<QImage> in_one = pictures(views);
@@ -105,7 +130,7 @@ TEST_F(ScreenTest, ACanvasInPagesIsTheOneInOne) {
     EXPECT_NE(canvas().opengl(), nullptr);
 }
 
-TEST_F(ScreenTest, PaintCrossesTheBordersOfPages) {
+TEST_F(PagesTest, PaintCrossesTheBordersOfPages) {
     gl_faults().largest_texture = 77;
     begin_anew();
     paint();
