@@ -3,6 +3,7 @@
 
 #include "cli/stopwatch.hpp"
 #include "core/thread_pool.hpp"
+#include "core/version.hpp"
 
 #include <string>
 
@@ -14,7 +15,7 @@ void finish(Stats& stats, const Stopwatch& watch, const core::ThreadPool& pool,
             const std::string& path) {
     stats.wall_s = watch.seconds();
     stats.threads = pool.thread_count();
-    stats.version = PASTOSO_VERSION;
+    stats.version = core::version();
     if (!path.empty()) write_stats(path, stats);
 }
 

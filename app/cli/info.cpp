@@ -9,6 +9,7 @@
 #include "core/isa.hpp"
 #include "core/number_text.hpp"
 #include "core/text.hpp"
+#include "core/version.hpp"
 #include "document/canvas.hpp"
 #include "files/image.hpp"
 #include "film/medium.hpp"
@@ -33,7 +34,7 @@ namespace {
 using core::number_text;
 
 void print_program() {
-    print("pastoso-cli %s, %s build by %s\n", PASTOSO_VERSION, PASTOSO_BUILD_TYPE, PASTOSO_COMPILER);
+    print("pastoso-cli %s, %s build by %s\n", core::version(), PASTOSO_BUILD_TYPE, PASTOSO_COMPILER);
     print("instruction set %s, %u processors\n", core::name_of(core::best_isa()),
           std::thread::hardware_concurrency());
     print("\nBrushes:\n");

@@ -20,6 +20,7 @@
 #include "core/text.hpp"
 
 #include <sstream>
+#include "core/version.hpp"
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,7 +70,7 @@ int run(int argc, char** argv) {
         throw UsageError(option +
                          ": no value follows the \"=\" (pastoso-cli --help shows what there is).");
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
-    app.set_version_flag("--version", "pastoso-cli " PASTOSO_VERSION);
+    app.set_version_flag("--version", std::string("pastoso-cli ") + core::version());
     app.require_subcommand(1);
     app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
     add_replay(app, replay);

@@ -10,6 +10,7 @@
 #include "core/naming.hpp"
 #include "core/resources.hpp"
 #include "core/thread_pool.hpp"
+#include "core/version.hpp"
 #include "document/player.hpp"
 #include "files/file_access.hpp"
 #include "project/repainting.hpp"
@@ -71,7 +72,7 @@ recordings::ReplayStats stats_of(const document::Painting& painting, const Pictu
     stats.account = painting.account();
     stats.state_hash = painting.state_hash();
     stats.threads = threads;
-    stats.version = PASTOSO_VERSION;
+    stats.version = core::version();
     return stats;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/scene_report.hpp"
 
 #include "core/memory.hpp"
+#include "core/version.hpp"
 #include "files/json_place.hpp"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ std::string simulate_stats_json(const std::vector<RunOutcome>& outcomes, int thr
                        {"runs", runs},
                        {"peak_rss_mib", core::peak_rss_mib()},
                        {"threads", threads},
-                       {"version", PASTOSO_VERSION}};
+                       {"version", core::version()}};
     return json.dump(2) + "\n";
 }
 

@@ -3,6 +3,7 @@
 #include "arguments/argument_fault.hpp"
 #include "core/printable.hpp"
 
+#include "core/version.hpp"
 #include <charconv>
 #include <cstdio>
 #include <string>
@@ -34,7 +35,7 @@ ParsedArguments parse_arguments(int argc, char** argv) {
     Arguments& arguments = parsed.arguments;
     CLI::App app("Paint with thick wet paint. Without a file, an easel stands ready to paint on.",
                  "pastoso");
-    app.set_version_flag("--version", "pastoso " PASTOSO_VERSION);
+    app.set_version_flag("--version", std::string("pastoso ") + core::version());
     app.add_option(
         "file", arguments.file,
         "A painting (.pastoso) to go on with, a picture to begin with, or a recording (.json) to replay "

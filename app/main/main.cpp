@@ -4,6 +4,7 @@
 #include "core/isa_request.hpp"
 #include "core/memory.hpp"
 #include "core/printable.hpp"
+#include "core/version.hpp"
 #include "crash/crash_guard.hpp"
 #include "crash/crash_reports.hpp"
 #include "dialogs/crash_dialog.hpp"
@@ -132,7 +133,7 @@ int start(int argc, char** argv) {
     pastoso::graphics::ask_for_deep_colour();
     QApplication::setApplicationName(QStringLiteral("pastoso"));
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
-    QApplication::setApplicationVersion(QStringLiteral(PASTOSO_VERSION));
+    QApplication::setApplicationVersion(QString::fromLatin1(pastoso::core::version()));
     const pastoso::main::KeptPreferences preferences = pastoso::main::kept_preferences();
     use(preferences.values);
     guard_against_crashes();

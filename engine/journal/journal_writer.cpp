@@ -3,6 +3,7 @@
 #include "core/disk.hpp"
 #include "core/error.hpp"
 #include "core/looking.hpp"
+#include "core/version.hpp"
 #include "journal/frames.hpp"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ constexpr std::size_t kMostBatchEvents = 4096;
 constexpr std::int64_t kQuietTicks = 15, kRestTicks = 600;
 
 Header header_of(const Beginning& beginning) {
-    return {.program = PASTOSO_VERSION,
+    return {.program = core::version(),
             .painting = beginning.painting.string(),
             .start = beginning.write_start ? kStartFile : "",
             .start_tick = beginning.tick,

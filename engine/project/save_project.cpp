@@ -1,3 +1,4 @@
+#include "core/version.hpp"
 #include "document/set_up.hpp"
 #include "files/image.hpp"
 #include "project/mask_bits.hpp"
@@ -138,7 +139,7 @@ struct FieldKeeper {
 
 void add_painting(const Project& project, Draft& draft) {
     const PaintingState& painting = project.painting;
-    draft.index.program = PASTOSO_VERSION;
+    draft.index.program = core::version();
     draft.index.tick = painting.tick;
     draft.index.ageing = painting.ageing;
     document::for_each_field(FieldKeeper{painting, draft}, painting.value);

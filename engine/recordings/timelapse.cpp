@@ -7,6 +7,7 @@
 #include "core/naming.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
+#include "core/version.hpp"
 #include "document/canvas.hpp"
 #include "document/player.hpp"
 #include "files/file_access.hpp"
@@ -85,7 +86,7 @@ std::string record_of(const Recording& recording, const TimelapseChoice& choice)
     strokes.add(std::span<const char>(text));
     const PictureOptions& picture = choice.picture;
     const shade::Lighting& lighting = choice.lighting;
-    return "Pastoso " PASTOSO_VERSION " time-lapse\nstrokes: " + strokes.hex() +
+    return std::string("Pastoso ") + core::version() + " time-lapse\nstrokes: " + strokes.hex() +
            "\nfps: " + number_text(choice.fps) + "\nspeed: " + number_text(choice.speed) +
            "\nscale: " + number_text(choice.scale) + "\nlight: " + picture.light + ", " +
            (choice.lit ? number_text(lighting.azimuth_deg) + " deg round, " +

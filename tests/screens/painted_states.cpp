@@ -1,5 +1,6 @@
 // The states in which something is painted, moved or played, or has failed.
 
+#include "core/version.hpp"
 #include "dialogs/crash_dialog.hpp"
 #include "dialogs/recovery_dialog.hpp"
 #include "main/files/replay_window.hpp"
@@ -117,11 +118,12 @@ void take_replay(Camera& camera) {
 
 /// What the program says after it has failed.
 void take_accidents(Camera& camera) {
-    dialogs::CrashDialog crash(QStringLiteral("Program: Pastoso " PASTOSO_VERSION "\n"
+    dialogs::CrashDialog crash(QStringLiteral("Program: Pastoso %1\n"
                                               "Signal: SIGSEGV (memory that is not the program's)\n"
                                               "Functions under way:\n"
                                               "pastoso::film::step(pastoso::film::FilmState&, double)\n"
-                                              "pastoso::document::Painting::play_tick()\n"),
+                                              "pastoso::document::Painting::play_tick()\n")
+                                   .arg(QString::fromLatin1(core::version())),
                                QStringLiteral("~/.local/state/pastoso/crashes/2026-01-31-1200.txt"));
     crash.resize(600, 320);
     camera.save(crash.grab(), QStringLiteral("dialog-crash"));

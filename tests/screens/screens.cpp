@@ -7,6 +7,7 @@
 // second prints the manual's table of all commands and their keys.
 
 #include "appearance/theme.hpp"
+#include "core/version.hpp"
 #include "graphics/opengl_support.hpp"
 #include "keys_table.hpp"
 #include "main/program/language.hpp"
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("pastoso"));
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
-    QApplication::setApplicationVersion(QStringLiteral(PASTOSO_VERSION));
+    QApplication::setApplicationVersion(QString::fromLatin1(pastoso::core::version()));
     main::speak(QStringLiteral("en"));
     appearance::apply_theme(application, appearance::Theme::Dark);
     const QString painting = QString::fromLocal8Bit(argv[1]), folder = QString::fromLocal8Bit(argv[2]);
