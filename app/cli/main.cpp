@@ -1,4 +1,5 @@
 #include "arguments/argument_fault.hpp"
+#include "arguments/descriptions.hpp"
 #include "cli/arguments.hpp"
 #include "cli/convert.hpp"
 #include "cli/export.hpp"
@@ -72,7 +73,7 @@ int run(int argc, char** argv) {
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
     app.set_version_flag("--version", std::string("pastoso-cli ") + core::version());
     app.require_subcommand(1);
-    app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
+    arguments::add_descriptions(app, core::version());
     add_replay(app, replay);
     add_sheet(app, sheet);
     add_export(app, exporting);
@@ -87,6 +88,8 @@ int run(int argc, char** argv) {
     if (argc > 1) check_subcommand(app, argv[1]);
     try {
         app.parse(argc, argv);
+    // Now that there are no more subcommands to which it would be handed down.
+    app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
     } catch (const CLI::Success& wanted) {
         return print_help(app, wanted);
     } catch (const CLI::ParseError& error) {

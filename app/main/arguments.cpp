@@ -1,9 +1,10 @@
 #include "main/arguments.hpp"
 
 #include "arguments/argument_fault.hpp"
+#include "arguments/descriptions.hpp"
 #include "core/printable.hpp"
-
 #include "core/version.hpp"
+
 #include <charconv>
 #include <cstdio>
 #include <string>
@@ -36,13 +37,16 @@ ParsedArguments parse_arguments(int argc, char** argv) {
     CLI::App app("Paint with thick wet paint. Without a file, an easel stands ready to paint on.",
                  "pastoso");
     app.set_version_flag("--version", std::string("pastoso ") + core::version());
+    arguments::add_descriptions(app, core::version());
     app.add_option(
         "file", arguments.file,
         "A painting (.pastoso) to go on with, a picture to begin with, or a recording (.json) to replay "
         "into the window");
     auto* screenshot = app.add_option("--screenshot", arguments.screenshot,
-                                      "Save a picture of the window to this file and leave");
+                                      "Save a picture of the window to this file and leave")
+                           ->type_name("FILE");
     app.add_option("--after", arguments.after_s, "Seconds to wait before the screenshot")
+        ->type_name("S")
         ->capture_default_str()
         ->check(CLI::Validator(delay_problem, "0 to 86400"))
         ->needs(screenshot);

@@ -1,3 +1,4 @@
+#include "cli/help_page.hpp"
 #include "cli/run_program.hpp"
 
 #include <gmock/gmock.h>
@@ -10,19 +11,8 @@ using testing::StartsWith;
 
 TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
     EXPECT_THAT(run_cli({"--help"}).output, HasSubstr("Example:\n  pastoso-cli "));
-    for (const std::vector<std::string>& command : {std::vector<std::string>{"replay"},
-                                                    {"sheet"},
-                                                    {"export"},
-                                                    {"convert"},
-                                                    {"timelapse"},
-                                                    {"recover"},
-                                                    {"simulate"},
-                                                    {"validate"},
-                                                    {"tea"},
-                                                    {"tea", "render"},
-                                                    {"tank"},
-                                                    {"info"}}) {
-        std::vector<std::string> arguments = command;
+    for (const Words& command : commands()) {
+        Words arguments = command;
         arguments.emplace_back("--help");
         const RunResult run = run_cli(arguments);
         EXPECT_EQ(run.status, 0);
@@ -32,6 +22,7 @@ TEST(CliHelp, EverySubcommandHasHelpWithAnExample) {
         for (const std::string& word : command)
             example += " " + word;
         EXPECT_THAT(run.output, HasSubstr(example + " "));
+        EXPECT_EQ(run.output.find("Example:"), run.output.rfind("Example:"));
     }
 }
 

@@ -1,10 +1,9 @@
 // Every option of every subcommand, as its help lists it, and what it may not be given.
+#include "cli/help_page.hpp"
 #include "cli/run_program.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
-#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -13,11 +12,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using Words = std::vector<std::string>;
-
-const std::vector<Words> kCommands = {{"replay"},    {"sheet"},         {"export"},   {"convert"},
-                                      {"timelapse"}, {"recover"},       {"simulate"}, {"validate"},
-                                      {"tea"},       {"tea", "render"}, {"tank"},     {"info"}};
 
 /// What stands for texts in help; whatever else an option takes is a number.
 const std::set<std::string> kTexts = {"FILE",
@@ -33,36 +27,6 @@ const std::set<std::string> kTexts = {"FILE",
                                       "medium|surface",
                                       "paint|support",
                                       "explicit|large|both"};
-
-struct Option {
-    std::string name;  ///< "--fps"
-    std::string type;  ///< "N"; empty: a flag
-};
-
-/// Of lines such as "  -o,--output FILE          The picture".
-std::vector<Option> options_in(const std::string& help) {
-    std::vector<Option> options;
-    std::istringstream lines(help);
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("  -")) continue;
-        std::istringstream words(line);
-        std::string names, type;
-        words >> names;
-        const std::size_t end = line.find("  ", line.find(names));
-        const std::string said = line.substr(2, end == std::string::npos ? end : end - 2);
-        if (said.size() > names.size()) type = said.substr(names.size() + 1);
-        type = type.substr(0, type.find_first_of(":= "));
-        const std::size_t longest = names.find("--");
-        if (longest != std::string::npos) options.push_back({names.substr(longest), type});
-    }
-    return options;
-}
-
-std::vector<Option> options_of(const Words& command) {
-    Words words = command;
-    words.emplace_back("--help");
-    return options_in(run_cli(words).output);
-}
 
 /// What the program says to this value, given as two words or as one. What it must have stands before.
 RunResult run_with(const Words& command, const Words& value) {
@@ -85,7 +49,7 @@ void expect_refusal(const RunResult& run, const Words& command, const std::strin
 
 TEST(CliOptions, NumbersAreFiniteAndWithinTheirRange) {
     int numbers = 0;
-    for (const Words& command : kCommands) {
+    for (const Words& command : commands()) {
         for (const Option& option : options_of(command)) {
             if (option.type.empty() || kTexts.count(option.type) > 0) continue;
             ++numbers;
@@ -100,14 +64,14 @@ TEST(CliOptions, NumbersAreFiniteAndWithinTheirRange) {
 }
 
 TEST(CliOptions, AnEqualsSignDoesNotTakeTheNextWord) {
-    for (const Words& command : kCommands)
+    for (const Words& command : commands())
         for (const Option& option : options_of(command))
             expect_refusal(run_with(command, {option.name + "=", "word"}), command, option.name,
                            "no value follows the \"=\"");
 }
 
 TEST(CliOptions, TextsAreNotEmpty) {
-    for (const Words& command : kCommands)
+    for (const Words& command : commands())
         for (const Option& option : options_of(command))
             if (kTexts.count(option.type) > 0)
                 expect_refusal(run_with(command, {option.name, ""}), command, option.name, "\"\"");
