@@ -17,6 +17,7 @@ void add_export(CLI::App& program, ExportOptions& options);
 void add_convert(CLI::App& program, ConvertOptions& options);
 void add_timelapse(CLI::App& program, TimelapseOptions& options);
 void add_recover(CLI::App& program, RecoverOptions& options);
+void add_thumbnail(CLI::App& program, ThumbnailOptions& options);
 void add_simulate(CLI::App& program, SimulateOptions& options);
 void add_validate(CLI::App& program, ValidateOptions& options);
 void add_tea(CLI::App& program, TeaOptions& options, TeaRenderOptions& render);

@@ -12,6 +12,7 @@
 #include "cli/simulate.hpp"
 #include "cli/tank.hpp"
 #include "cli/tea.hpp"
+#include "cli/thumbnail.hpp"
 #include "cli/timelapse.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/validate.hpp"
@@ -19,9 +20,9 @@
 #include "core/isa_request.hpp"
 #include "core/memory.hpp"
 #include "core/text.hpp"
+#include "core/version.hpp"
 
 #include <sstream>
-#include "core/version.hpp"
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
     ConvertOptions convert;
     TimelapseOptions timelapse;
     RecoverOptions recover;
+    ThumbnailOptions thumbnail;
     SimulateOptions simulate;
     ValidateOptions validate;
     TeaOptions tea;
@@ -72,24 +74,25 @@ int run(int argc, char** argv) {
                          ": no value follows the \"=\" (pastoso-cli --help shows what there is).");
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
     app.set_version_flag("--version", std::string("pastoso-cli ") + core::version());
-    app.require_subcommand(1);
     arguments::add_descriptions(app, core::version());
+    app.require_subcommand(1);
     add_replay(app, replay);
     add_sheet(app, sheet);
     add_export(app, exporting);
     add_convert(app, convert);
     add_timelapse(app, timelapse);
     add_recover(app, recover);
+    add_thumbnail(app, thumbnail);
     add_simulate(app, simulate);
     add_validate(app, validate);
     add_tea(app, tea, tea_render);
     add_tank(app, tank);
     add_info(app, info);
+    // Now that there are no more subcommands to which it would be handed down.
+    app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
     if (argc > 1) check_subcommand(app, argv[1]);
     try {
         app.parse(argc, argv);
-    // Now that there are no more subcommands to which it would be handed down.
-    app.footer("Example:\n  pastoso-cli replay strokes.json -o picture.png");
     } catch (const CLI::Success& wanted) {
         return print_help(app, wanted);
     } catch (const CLI::ParseError& error) {
@@ -107,6 +110,8 @@ int run(int argc, char** argv) {
         run_timelapse(timelapse);
     else if (app.got_subcommand("recover"))
         run_recover(recover);
+    else if (app.got_subcommand("thumbnail"))
+        run_thumbnail(thumbnail);
     else if (app.got_subcommand("simulate"))
         run_simulate(simulate);
     else if (app.got_subcommand("validate"))

@@ -95,6 +95,12 @@ struct RecoverOptions {
     bool quiet = false;
 };
 
+struct ThumbnailOptions {
+    std::string project;
+    std::string output;
+    int longest_px = 256;
+};
+
 struct SimulateOptions {
     std::string scene;   ///< a file, or the name of a scene that comes with the program
     std::string output;  ///< folder

@@ -65,9 +65,9 @@ std::string xml_text(const std::string& text) {
 
 }  // namespace
 
-pigment::LinearImage thumbnail_of(const pigment::LinearImage& picture) {
-    const double scale = std::min(
-        1.0, static_cast<double>(kLongestThumbnail_px) / std::max(picture.width, picture.height));
+pigment::LinearImage thumbnail_of(const pigment::LinearImage& picture, int longest_px) {
+    const double scale =
+        std::min(1.0, static_cast<double>(longest_px) / std::max(picture.width, picture.height));
     pigment::LinearImage small;
     small.width = std::max(1, static_cast<int>(std::lround(scale * picture.width)));
     small.height = std::max(1, static_cast<int>(std::lround(scale * picture.height)));

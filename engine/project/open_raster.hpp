@@ -11,8 +11,9 @@ namespace pastoso::project {
 /// The longest side of a thumbnail, which OpenRaster gives.
 inline constexpr int kLongestThumbnail_px = 256;
 
-/// The picture made smaller: the mean over each pixel's area.
-pigment::LinearImage thumbnail_of(const pigment::LinearImage& picture);
+/// The picture made smaller, if it is larger: the mean over each pixel's area.
+pigment::LinearImage thumbnail_of(const pigment::LinearImage& picture,
+                                  int longest_px = kLongestThumbnail_px);
 
 struct StackLayer {
     std::string name;

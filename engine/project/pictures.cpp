@@ -3,8 +3,10 @@
 #include "document/layered_canvas.hpp"
 #include "document/painting.hpp"
 #include "files/image.hpp"
+#include "pigment/colour.hpp"
 #include "project/coarse_film.hpp"
 #include "project/open_raster.hpp"
+#include "project/project.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -26,6 +28,15 @@ pigment::LinearImage picture_of(const film::FilmState& film, core::ThreadPool& p
     const int factor = coarseness(film.shape);
     const film::FilmState small = factor == 1 ? film : coarse_film(film, factor, pool);
     return shade::render(small, document::kPrimedGround, small.shape.cells(), {}, pool);
+}
+
+pigment::LinearImage linear_of(const pigment::Picture& picture) {
+    pigment::LinearImage linear{picture.width, picture.height, {}, {}};
+    linear.rgb.reserve(picture.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 != 3)
+            linear.rgb.push_back(static_cast<float>(pigment::decode_srgb(picture.rgba[i] / 255.0)));
+    return linear;
 }
 
 /// Where a layer holds paint.
@@ -121,6 +132,13 @@ std::string stack_xml(const Pictures& pictures) {
     for (std::size_t i = pictures.layers.size(); i-- > 0;)
         layers.push_back({pictures.layers[i].name, entry_of(pictures, i), pictures.layers[i].visible});
     return stack_xml(pictures.merged.width, pictures.merged.height, pictures.px_per_mm, layers);
+}
+
+std::string load_thumbnail(const std::filesystem::path& path, int longest_px) {
+    const std::string file = load_thumbnail(path);
+    const pigment::Picture picture = files::decode_png(file);
+    if (std::max(picture.width, picture.height) <= longest_px) return file;
+    return files::png_file(pigment::encode_srgb8(thumbnail_of(linear_of(picture), longest_px)));
 }
 
 }  // namespace pastoso::project

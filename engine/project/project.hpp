@@ -53,6 +53,9 @@ document::Recording load_strokes(const std::filesystem::path& path, std::vector<
 /// The picture that file managers show of a project: a PNG file, at most 256 pixels a side.
 std::string load_thumbnail(const std::filesystem::path& path);
 
+/// The same, made smaller where a side is longer than that.
+std::string load_thumbnail(const std::filesystem::path& path, int longest_px);
+
 /// How many bytes a kind of data takes, and how many it would without compression.
 struct KindSize {
     std::string kind{};

@@ -165,11 +165,13 @@ void write_archive(const Project& project, const Pictures& pictures, core::Threa
                    core::OutputFile& file) {
     Draft draft;
     draft.archive.add("mimetype", std::string(kMimeType));
+    // The second entry, so that the first bytes of the file tell a painting from any other OpenRaster
+    // file.
+    draft.archive.add(kSetupEntry,
+                      recordings::recording_to_json(document::set_up_of(project.painting.value)));
     draft.archive.add("stack.xml", stack_xml(pictures));
     for (PictureFile& picture : picture_files(pictures))
         draft.archive.add(picture.entry, std::move(picture.content));
-    draft.archive.add(kSetupEntry,
-                      recordings::recording_to_json(document::set_up_of(project.painting.value)));
     add_painting(project, draft);
     std::future<void> packed = std::async(std::launch::async, [&draft, &pool] {
         for (TilePacking& surface : draft.surfaces)

@@ -24,7 +24,7 @@ TEST_F(CliErrors, UsageErrorsEndWithStatusTwo) {
     expect_bad_usage({}, "subcommand");
     expect_bad_usage({"paint"},
                      "there is no subcommand \"paint\", only replay, sheet, export, convert, timelapse, "
-                     "recover, simulate, validate, tea, tank and info.");
+                     "recover, thumbnail, simulate, validate, tea, tank and info.");
     expect_bad_usage({"replay"}, "STROKES");
     expect_bad_usage({"replay", pen, "--brushes", "x"}, "no place for the argument \"--brushes\"");
     expect_bad_usage({"replay", "--nonsense"}, "no place for the argument \"--nonsense\"");

@@ -31,7 +31,7 @@ std::vector<Option> options_in(const std::string& help) {
 const std::vector<Words>& commands() {
     static const std::vector<Words> commands = {
         {"replay"},        {"sheet"},     {"export"},   {"convert"},  {"timelapse"},
-        {"recover"},       {"simulate"}, {"validate"}, {"tea"},
+        {"recover"},       {"thumbnail"}, {"simulate"}, {"validate"}, {"tea"},
         {"tea", "render"}, {"tank"},      {"info"}};
     return commands;
 }

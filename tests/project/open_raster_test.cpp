@@ -65,6 +65,13 @@ TEST_F(OpenRaster, AThumbnailIsTheMeanOfThePixelsBelow) {
         ASSERT_EQ(small.rgb[i], 0.5F);
 }
 
+TEST_F(OpenRaster, AThumbnailIsNeverLargerThanThePicture) {
+    const pigment::LinearImage picture{40, 30, std::vector<float>(3 * 40 * 30, 0.25F), {}};
+    EXPECT_EQ(thumbnail_of(picture, 64).width, 40);
+    EXPECT_EQ(thumbnail_of(picture, 20).width, 20);
+    EXPECT_EQ(thumbnail_of(picture, 20).height, 15);
+}
+
 TEST_F(OpenRaster, AThumbnailOfAnOddSizeKeepsEvenColours) {
     const pigment::LinearImage picture{701, 3, std::vector<float>(3 * 701 * 3, 0.25F), {}};
     const pigment::LinearImage small = thumbnail_of(picture);
