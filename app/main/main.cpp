@@ -4,6 +4,7 @@
 #include "core/isa_request.hpp"
 #include "core/memory.hpp"
 #include "core/printable.hpp"
+#include "core/resources.hpp"
 #include "core/version.hpp"
 #include "crash/crash_guard.hpp"
 #include "crash/crash_reports.hpp"
@@ -24,6 +25,7 @@
 #include <cstdlib>
 
 #include <QApplication>
+#include <QIcon>
 #include <QPixmap>
 #include <QTimer>
 
@@ -134,6 +136,10 @@ int start(int argc, char** argv) {
     QApplication::setApplicationName(QStringLiteral("pastoso"));
     QApplication::setApplicationDisplayName(QStringLiteral("Pastoso"));
     QApplication::setApplicationVersion(QString::fromLatin1(pastoso::core::version()));
+    // The name that the files for desktops have (packaging/desktop).
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.pastoso.Pastoso"));
+    QApplication::setWindowIcon(
+        QIcon(QString::fromStdString(pastoso::core::resource_path("program/pastoso.svg").string())));
     const pastoso::main::KeptPreferences preferences = pastoso::main::kept_preferences();
     use(preferences.values);
     guard_against_crashes();
