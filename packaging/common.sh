@@ -1,4 +1,4 @@
-# Sourced by the scripts beside it: where the project lies, messages, the build and a virtual display.
+# Sourced by the scripts beside it: where the project lies, messages, the list of packages, the build and a virtual display.
 # shellcheck shell=bash
 set -euo pipefail
 unset CDPATH
@@ -16,6 +16,23 @@ fail() {
 print_help() { sed -n '2,/^[^#]/{/^#/s/^# \{0,1\}//p}' "$0"; }
 
 refuse_argument() { fail "there is no option '$1'; --help lists what there is."; }
+
+# What the list has for a group: packages, and groups with an @ before them.
+entries_of() { awk -v group="$1" '$1 == group && NF == 2 { print $2 }' "$root/packaging/packages.txt"; }
+
+# The packages of the groups given and of those that they need.
+packages_of() {
+    local group entry
+    for group in "$@"; do
+        for entry in $(entries_of "$group"); do
+            if [[ $entry == @* ]]; then
+                packages_of "${entry#@}"
+            else
+                printf '%s\n' "$entry"
+            fi
+        done
+    done
+}
 
 # build_preset CONFIGURE_PRESET [-DNAME=VALUE...] -- [TARGET...]: no target builds everything.
 build_preset() {

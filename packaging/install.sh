@@ -2,35 +2,18 @@
 # Installs the Debian packages of packages.txt that are missing; does nothing when all are there.
 #
 # Usage: packaging/install.sh [GROUP...]
-#   GROUP   build, run, test, bench or fuzz, with the groups that it needs; without one: build and run
+#   GROUP   build, run, test, bench, fuzz or deb, with the groups that it needs; without one: build and run
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 groups=()
 for argument in "$@"; do
     case "$argument" in
         -h | --help) print_help; exit 0 ;;
-        build | run | test | bench | fuzz) groups+=("$argument") ;;
+        build | run | test | bench | fuzz | deb) groups+=("$argument") ;;
         *) refuse_argument "$argument" ;;
     esac
 done
 [[ ${#groups[@]} -gt 0 ]] || groups=(build run)
-
-# What the list has for a group: packages, and groups with an @ before them.
-entries_of() { awk -v group="$1" '$1 == group && NF == 2 { print $2 }' "$root/packaging/packages.txt"; }
-
-# The packages of the groups given and of those that they need.
-packages_of() {
-    local group entry
-    for group in "$@"; do
-        for entry in $(entries_of "$group"); do
-            if [[ $entry == @* ]]; then
-                packages_of "${entry#@}"
-            else
-                printf '%s\n' "$entry"
-            fi
-        done
-    done
-}
 
 # Those of the packages given that are not installed.
 missing_among() {

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Tries the packages that packaging/deb.sh made, in a bare Debian 12 of their own: checks them with lintian, installs
+# them, paints an example without and with a window, removes them, and tells their sizes. As root; takes some minutes.
+#
+# Usage: packaging/deb-try.sh [FOLDER]
+#   FOLDER   where the packages are; build/packages otherwise
+source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+folder="$root/build/packages"
+case "${1-}" in
+    -h | --help) print_help; exit 0 ;;
+    -*) refuse_argument "$1" ;;
+    "") ;;
+    *) folder="$1" ;;
+esac
+packages=("$folder"/pastoso{,-cli,-doc}_*.deb)
+[[ -f ${packages[0]} ]] || fail "there are no packages in $folder; packaging/deb.sh makes them."
+[[ $EUID -eq 0 ]] || fail "only root can make a system of its own."
+"$root/packaging/install.sh" deb
+
+say "Checking the packages"
+lintian --allow-root --fail-on error "${packages[@]}" || fail "lintian has found errors."
+
+bare="$(mktemp -d)"
+trap 'umount "$bare/proc" 2>/dev/null; rm -rf -- "$bare"' EXIT
+inside() { DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root chroot "$bare" "$@"; }
+
+say "Making a bare Debian 12 in $bare"
+debootstrap --variant=minbase bookworm "$bare" >"$bare.log" || fail "debootstrap failed; $bare.log tells why."
+rm -f -- "$bare.log"
+mount -t proc proc "$bare/proc"
+cp -- "${packages[@]}" "$bare/tmp/"
+
+say "Installing"
+inside sh -c 'apt-get -q -y --no-install-recommends install /tmp/*.deb xvfb xauth' || fail "the packages cannot be installed."
+for package in pastoso pastoso-cli pastoso-doc; do
+    # shellcheck disable=SC2016  # dpkg-query expands it
+    say "$package: $(inside dpkg-query -W -f '${Installed-Size}' "$package") KiB installed, $(stat -c %s "$folder/${package}"_*.deb) bytes packed"
+done
+
+say "Painting"
+inside pastoso-cli --version
+inside pastoso-cli replay /usr/share/pastoso/strokes/sampler.json --px-per-mm 2 -q -o /tmp/sampler.png
+inside xvfb-run -a -s '-screen 0 1600x1200x24' pastoso --screenshot /tmp/window.png --after 2
+cp -- "$bare/tmp/sampler.png" "$bare/tmp/window.png" "$folder/"
+
+say "Removing"
+inside apt-get -q -y purge pastoso pastoso-cli pastoso-doc
+left="$(inside find / -xdev -iname '*pastoso*' -not -path '/proc/*' -not -path '/tmp/*' -not -path '/var/cache/*' -not -path '/root/*')"
+[[ -z $left ]] || fail "this was left behind: $left"
+say "The packages install, paint and go; pictures of it are in $folder"
