@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes Debian packages of what is committed: pastoso (the window), pastoso-cli and pastoso-doc. The same commit gives
-# the same packages, bit by bit, in any folder.
+# Makes Debian packages of what is committed: pastoso (the window), pastoso-cli, pastoso-doc and libpastoso-dev
+# (the engine, for programs of others). The same commit gives the same packages, bit by bit, in any folder.
 #
 # Usage: packaging/deb.sh [FOLDER]
 #   FOLDER   where to build, and to leave the packages; build/packages otherwise
@@ -22,7 +22,8 @@ committed_at="$(git -C "$root" log -1 --format=%ct)" || fail "packages are made 
 listed() { packages_of "$1" | sort -u | paste -sd, | sed 's/,/, /g'; }
 
 write_control() {
-    sed -e "s/@BUILD_PACKAGES@/$(listed build)/" -e "s/@RUN_PACKAGES@/$(listed run)/" control.in >control
+    sed -e "s/@BUILD_PACKAGES@/$(listed build)/" -e "s/@RUN_PACKAGES@/$(listed run)/" \
+        -e "s/@ENGINE_PACKAGES@/$(listed engine)/" control.in >control
     rm control.in
 }
 

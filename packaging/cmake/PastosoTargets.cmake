@@ -23,15 +23,20 @@ if(PASTOSO_MOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 add_library(pastoso_options INTERFACE)
-target_compile_options(pastoso_options INTERFACE
+# How the project itself is compiled; programs of others that use the engine decide for themselves.
+set(options
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
     # GCC 12 reports std::string's operator+ (GCC bug 105329) and moved variants (105562) by mistake.
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
     # The same bits on every machine: no fused multiply-add, no reordering (never -ffast-math).
     -ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(PASTOSO_WARNINGS_AS_ERRORS)
-    target_compile_options(pastoso_options INTERFACE -Werror)
+    list(APPEND options -Werror)
 endif()
+target_compile_options(pastoso_options INTERFACE "$<BUILD_INTERFACE:${options}>")
+target_compile_features(pastoso_options INTERFACE $<INSTALL_INTERFACE:cxx_std_20>)
+set_target_properties(pastoso_options PROPERTIES EXPORT_NAME options)
+install(TARGETS pastoso_options EXPORT PastosoEngine)
 if(PASTOSO_SANITIZERS)
     target_compile_options(pastoso_options INTERFACE
         -fsanitize=${PASTOSO_SANITIZERS} -fno-omit-frame-pointer
@@ -49,14 +54,18 @@ function(pastoso_keep_libraries program)
 endfunction()
 
 # pastoso_add_library(NAME SOURCES a.cpp ... DEPENDS core ...)
-# One engine folder: static library pastoso_NAME, alias pastoso::NAME, headers as "NAME/header.hpp".
+# One engine folder: static library pastoso_NAME, alias pastoso::NAME, headers as "NAME/header.hpp". Installed, it is
+# Pastoso::NAME to whoever calls find_package(Pastoso).
 function(pastoso_add_library name)
     cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
     add_library(pastoso_${name} STATIC ${arg_SOURCES})
     add_library(pastoso::${name} ALIAS pastoso_${name})
-    target_include_directories(pastoso_${name} PUBLIC "${PROJECT_SOURCE_DIR}/engine")
+    target_include_directories(pastoso_${name} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine>"
+                                                      "$<INSTALL_INTERFACE:include/pastoso>")
     target_link_libraries(pastoso_${name} PUBLIC pastoso_options ${arg_DEPENDS}
                                           PRIVATE ${arg_PRIVATE_DEPENDS})
+    set_target_properties(pastoso_${name} PROPERTIES EXPORT_NAME ${name})
+    install(TARGETS pastoso_${name} EXPORT PastosoEngine ARCHIVE DESTINATION lib/pastoso COMPONENT development)
 endfunction()
 
 # pastoso_add_kernels(TARGET SOURCE...)

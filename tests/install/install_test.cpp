@@ -35,7 +35,7 @@ TEST_F(Installed, EveryFileIsOfOneComponent) {
     install(folder / "all");
     std::set<std::string> together;
     std::size_t count = 0;
-    for (const char* component : {"cli", "window", "docs"}) {
+    for (const char* component : {"cli", "window", "docs", "development"}) {
         install(folder / component, {component});
         const std::set<std::string> files = files_below(folder / component);
         count += files.size();
@@ -54,9 +54,27 @@ TEST_F(Installed, HasProgramsDataPagesAndNoSources) {
           "share/doc/pastoso/docs/manual/README.md"})
         EXPECT_TRUE(fs::is_regular_file(folder / "moved" / file)) << file;
     const std::set<std::string> files = files_below(folder / "moved");
-    for (const std::string& file : files)
+    for (const std::string& file : files) {
+        if (file.starts_with("share/doc/pastoso/example/")) continue;
         EXPECT_FALSE(file.ends_with(".cpp") || file.ends_with("CMakeLists.txt") || file.ends_with(".ts"))
             << file;
+    }
+}
+
+/// packaging/example, built far from the source tree.
+TEST_F(Installed, ProgramsOfOthersAreBuiltWithTheEngine) {
+    install(folder / "moved", {"cli", "development"});
+    const std::string example = path("moved/share/doc/pastoso/example"), built = path("example");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"-S", example, "-B", built, "-D",
+                                   "CMAKE_PREFIX_PATH=" + path("moved")},
+          {"--build", built}}) {
+        const cli::RunResult made = run(PASTOSO_CMAKE, words);
+        ASSERT_EQ(made.status, 0) << made.output << made.errors;
+    }
+    const cli::RunResult painted = run("/usr/bin/env", {"-C", built, "ctest", "--output-on-failure"});
+    EXPECT_EQ(painted.status, 0) << painted.output;
+    EXPECT_TRUE(fs::exists(folder / "example" / "stroke.png"));
 }
 
 /// Pages that are read where they are installed; what lies in the source tree alone is left out.
