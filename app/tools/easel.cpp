@@ -46,6 +46,12 @@ void keep_preset(Hand& hand, const brush::Preset& preset) {
     hand.own_preset = is_bundled ? std::nullopt : std::optional(preset);
 }
 
+/// Whether it is one that lies on the canvas until it is taken away.
+bool is_laid(const brush::PenGuide& guide) {
+    return std::holds_alternative<brush::Ruler>(guide.form) ||
+           std::holds_alternative<brush::EllipseCurve>(guide.form);
+}
+
 }  // namespace
 
 Easel::Easel(Hand hand, Post post, std::function<void()> note_hand)
@@ -234,6 +240,7 @@ void Easel::move_ruler(const brush::Ruler& ruler) {
 
 void Easel::take_ruler_away() {
     hand_.ruler.reset();
+    forget_guide();
 }
 
 void Easel::lay_ellipse(const brush::EllipseCurve& ellipse) {
@@ -243,6 +250,14 @@ void Easel::lay_ellipse(const brush::EllipseCurve& ellipse) {
 
 void Easel::take_ellipse_away() {
     hand_.ellipse.reset();
+    forget_guide();
+}
+
+/// Or a painting that is opened again would lay it again. A stroke under way keeps what guides it.
+void Easel::forget_guide() {
+    if (painting_ || !is_laid(hand_.guide)) return;
+    hand_.guide = {};
+    post_(SetGuide{hand_.guide});
 }
 
 void Easel::select(const Action& selection) {
@@ -257,9 +272,7 @@ void Easel::move_along(const glm::dvec2& shift_mm) {
         place->y_mm += shift_mm.y;
     }
     if (hand_.symmetry.mirror || hand_.symmetry.count > 1) post_(SetSymmetry{hand_.symmetry});
-    if (std::holds_alternative<brush::Ruler>(hand_.guide.form) ||
-        std::holds_alternative<brush::EllipseCurve>(hand_.guide.form))
-        post_(SetGuide{hand_.guide});
+    if (is_laid(hand_.guide)) post_(SetGuide{hand_.guide});
     if (hand_.air.fan_radius_mm > 0.0) post_(SetDrying{hand_.air});
 }
 

@@ -143,6 +143,7 @@ class Easel {
     void post_brush();
     void do_with_brushes(const document::Action& action);
     void follow(const Pointer& pointer);
+    void forget_guide();
     void choose_guide(const Pointer& pointer, bool straight);
     bool turns_with_path(const Pointer& pointer) const;
     void decide_start(const Pointer& pointer);

@@ -45,9 +45,10 @@ struct HandChange {
     void operator()(const document::SetSymmetry& set) const { hand.symmetry = set.symmetry; }
     void operator()(const document::SetGuide& set) const {
         hand.guide = set.guide;
+        // A stroke drawn straight leaves what is laid where it is.
+        if (std::holds_alternative<brush::StraightLine>(set.guide.form)) return;
         const auto* ruler = std::get_if<brush::Ruler>(&set.guide.form);
         const auto* ellipse = std::get_if<brush::EllipseCurve>(&set.guide.form);
-        if (ruler == nullptr && ellipse == nullptr) return;
         hand.ruler = ruler != nullptr ? std::optional(*ruler) : std::nullopt;
         hand.ellipse = ellipse != nullptr ? std::optional(*ellipse) : std::nullopt;
     }

@@ -267,6 +267,21 @@ TEST_F(EaselTest, TheRulerLiesAlongTheLatestStroke) {
     EXPECT_EQ(easel_.hand().guide, brush::PenGuide{});
 }
 
+TEST_F(EaselTest, WhatIsTakenAwayIsNotThereWhenThePaintingIsOpenedAgain) {
+    easel_.set_reload_each_stroke(false);
+    easel_.lay_ruler({0.0, 20.0, 60.0, 20.0});
+    easel_.press({});
+    easel_.release();
+    easel_.take_ruler_away();
+    std::vector<document::Event> painted;
+    for (const Action& action : actions_)
+        painted.push_back({0, action});
+    EXPECT_THAT(posted(), ElementsAre("guide", "down", "up", "guide"));
+    EXPECT_EQ(hand_after({}, painted).ruler, std::nullopt);
+    easel_.take_ruler_away();
+    EXPECT_THAT(posted(), ElementsAre()) << "there is nothing to take away";
+}
+
 TEST_F(EaselTest, ARestIsToldAsARest) {
     easel_.set_reload_each_stroke(false);
     easel_.set_turn_with_stroke(false);
@@ -443,11 +458,11 @@ TEST(HandAfter, HoldsWhatTheLastEventsGave) {
     const Hand aided = hand_after(hand, {{0, SetStabiliser{{50.0, 1.0}}},
                                          {0, SetSymmetry{{.mirror = true, .count = 3}}},
                                          {0, SetGuide{{.form = ruler}}},
-                                         {1, SetGuide{}}});
+                                         {1, SetGuide{{.form = brush::StraightLine{}}}}});
     EXPECT_EQ(aided.stabiliser, (brush::Stabiliser{50.0, 1.0}));
     EXPECT_EQ(aided.symmetry.count, 3);
     EXPECT_EQ(aided.ruler, ruler);
-    EXPECT_EQ(aided.guide, brush::PenGuide{});
+    EXPECT_EQ(hand_after(aided, {{2, SetGuide{}}}).ruler, std::nullopt);
 }
 
 TEST(BrushWidth, StepsClimbDownAgainWithinTheLimits) {
