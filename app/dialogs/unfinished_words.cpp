@@ -1,11 +1,11 @@
 #include "dialogs/unfinished_words.hpp"
 
+#include "appearance/shown_time.hpp"
 #include "dialogs/recovery_dialog.hpp"
 
 #include <filesystem>
 
 #include <QDateTime>
-#include <QLocale>
 #include <QPainter>
 
 namespace pastoso::dialogs {
@@ -13,7 +13,7 @@ namespace {
 
 QString time_of(const journal::Unfinished& painting) {
     const auto seconds = std::chrono::system_clock::to_time_t(painting.last_painted);
-    return QLocale().toString(QDateTime::fromSecsSinceEpoch(seconds), QLocale::ShortFormat);
+    return appearance::shown_time(QDateTime::fromSecsSinceEpoch(seconds));
 }
 
 }  // namespace

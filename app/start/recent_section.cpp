@@ -1,5 +1,6 @@
 #include "start/recent_section.hpp"
 
+#include "appearance/shown_time.hpp"
 #include "panels/parts/fitted_picture.hpp"
 #include "panels/parts/gallery.hpp"
 #include "start/section.hpp"
@@ -26,13 +27,11 @@ QString folder_words(const std::filesystem::path& path) {
 }
 
 QString time_words(const QDateTime& time) {
-    const QLocale locale;
     if (time.date() == QDate::currentDate())
-        return RecentSection::tr("Today, %1").arg(locale.toString(time.time(), QLocale::ShortFormat));
+        return RecentSection::tr("Today, %1").arg(appearance::shown_time(time.time()));
     if (time.date() == QDate::currentDate().addDays(-1))
-        return RecentSection::tr("Yesterday, %1")
-            .arg(locale.toString(time.time(), QLocale::ShortFormat));
-    return locale.toString(time.date(), QLocale::ShortFormat);
+        return RecentSection::tr("Yesterday, %1").arg(appearance::shown_time(time.time()));
+    return QLocale().toString(time.date(), QLocale::ShortFormat);
 }
 
 panels::Tile tile_of(const PaintingFile& file, double pixel_ratio) {

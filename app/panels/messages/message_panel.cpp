@@ -1,11 +1,11 @@
 #include "panels/messages/message_panel.hpp"
 
+#include "appearance/shown_time.hpp"
 #include "panels/parts/section.hpp"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTime>
@@ -58,7 +58,7 @@ QString MessagePanel::text() const {
 }
 
 void MessagePanel::add(const QString& sentence) {
-    const QString time = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
+    const QString time = appearance::shown_time(QTime::currentTime());
     list_->appendPlainText(time + QStringLiteral("  ") + sentence);
 }
 
