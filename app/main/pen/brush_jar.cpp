@@ -12,11 +12,13 @@
 #include <utility>
 
 #include <QAction>
+#include <QDialogButtonBox>
 #include <QEvent>
 #include <QImage>
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMessageBox>
+#include <QPushButton>
 
 namespace pastoso::main {
 namespace {
@@ -195,10 +197,19 @@ bool BrushJar::own_brush_in_hand() const {
 // ---- the painter's own
 
 bool BrushJar::ask_name(const QString& title, QString& name) {
-    bool accepted = false;
-    name = QInputDialog::getText(&studio_.window(), title, tr("Name of the tool:"), QLineEdit::Normal,
-                                 name, &accepted)
-               .trimmed();
+    QInputDialog dialog(&studio_.window());
+    dialog.setWindowTitle(title);
+    dialog.setLabelText(tr("Name of the tool:"));
+    dialog.setTextValue(name);
+    dialog.adjustSize();  // makes its buttons
+    const auto* buttons = dialog.findChild<QDialogButtonBox*>();
+    const auto need_name = [ok = buttons->button(QDialogButtonBox::Ok)](const QString& typed) {
+        ok->setEnabled(!typed.trimmed().isEmpty());
+    };
+    QObject::connect(&dialog, &QInputDialog::textValueChanged, &dialog, need_name);
+    need_name(name);
+    const bool accepted = dialog.exec() == QDialog::Accepted;
+    name = dialog.textValue().trimmed();
     return accepted && !name.isEmpty();
 }
 
