@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "dialogs/canvas_size_preview.hpp"
+#include "dialogs/length_box.hpp"
 #include "document/canvas.hpp"
 
 #include <cmath>
@@ -64,7 +65,7 @@ QString changes_words(const tools::Margins& margins) {
 
 CanvasSizeDialog::CanvasSizeDialog(const document::CanvasSettings& canvas, const QImage& picture,
                                    QWidget* parent)
-    : QDialog(parent),
+    : GrowingDialog(parent),
       canvas_(canvas),
       preview_(new CanvasSizePreview(picture, {canvas.width_mm, canvas.height_mm})),
       summary_(new QLabel),
@@ -100,7 +101,7 @@ CanvasSizeDialog::CanvasSizeDialog(const document::CanvasSettings& canvas, const
 }
 
 QDoubleSpinBox* CanvasSizeDialog::add_side(const QString& name, double value_mm) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new UnitBox(read_length_mm);
     box->setObjectName(name);
     box->setRange(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm);
     box->setDecimals(kDecimals);

@@ -1,10 +1,10 @@
 // Asks for another size of the canvas, and which part of it stays where it is.
 #pragma once
 
+#include "dialogs/growing_dialog.hpp"
 #include "document/events.hpp"
 #include "tools/canvas_resizing.hpp"
 
-#include <QDialog>
 #include <QImage>
 
 class QButtonGroup;
@@ -17,7 +17,7 @@ namespace pastoso::dialogs {
 
 class CanvasSizePreview;
 
-class CanvasSizeDialog : public QDialog {
+class CanvasSizeDialog : public GrowingDialog {
     Q_OBJECT
   public:
     /// `picture` is the painting, small.

@@ -2,8 +2,11 @@
 
 #include "core/error.hpp"
 #include "core/memory.hpp"
+#include "dialogs/length_box.hpp"
 #include "dialogs/support_choices.hpp"
 #include "document/canvas.hpp"
+
+#include <cmath>
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -32,18 +35,18 @@ QString shown_words(double px_per_mm) {
 
 NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, double live_px_per_mm,
                                  QWidget* parent)
-    : QDialog(parent),
+    : GrowingDialog(parent),
       live_px_per_mm_(live_px_per_mm),
       support_(new QComboBox),
       summary_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("New canvas"));
-    width_ = add_number(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm, proposal.width_mm,
-                        tr(" mm"));
-    height_ = add_number(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm, proposal.height_mm,
-                         tr(" mm"));
-    density_ =
-        add_number(document::kMinPxPerMm, document::kMaxPxPerMm, proposal.px_per_mm, tr(" px/mm"));
+    width_ = add_side(QStringLiteral("width_mm"), proposal.width_mm);
+    height_ = add_side(QStringLiteral("height_mm"), proposal.height_mm);
+    density_ = add_number(new UnitBox(read_px_per_mm), QStringLiteral("px_per_mm"), tr(" px/mm"));
+    density_->setRange(document::kMinPxPerMm, document::kMaxPxPerMm);
+    density_->setValue(proposal.px_per_mm);
+    density_->setToolTip(tr("Dots per inch may be typed as well: 127 dpi"));
     for (const Support& support : supports())
         support_->addItem(support.name, QString::fromStdString(support.id));
     support_->addItem(tr("Height image..."), QString(kImage));
@@ -63,22 +66,31 @@ NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, doubl
     form->addRow(tr("Resolution"), density_);
     form->addRow(tr("Support"), support_);
     summary_->setWordWrap(true);
+    summary_->setObjectName(QStringLiteral("summary"));
     summary_->setMinimumWidth(300);
     form->addRow(summary_);
     form->addRow(buttons_);
+    for (const QDoubleSpinBox* box : {width_, height_, density_})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &NewCanvasDialog::write_summary);
     write_summary();
+    width_->selectAll();
 }
 
-QDoubleSpinBox* NewCanvasDialog::add_number(double lowest, double highest, double value,
+QDoubleSpinBox* NewCanvasDialog::add_side(const QString& name, double value_mm) {
+    QDoubleSpinBox* box = add_number(new UnitBox(read_length_mm), name, tr(" mm"));
+    box->setRange(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm);
+    box->setValue(value_mm);
+    box->setToolTip(tr("Other units may be typed as well: 50 cm, 20 in"));
+    return box;
+}
+
+QDoubleSpinBox* NewCanvasDialog::add_number(QDoubleSpinBox* box, const QString& name,
                                             const QString& suffix) {
-    auto* box = new QDoubleSpinBox;
-    box->setRange(lowest, highest);
+    box->setObjectName(name);
     box->setDecimals(2);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setValue(value);
     box->setSuffix(suffix);
-    connect(box, &QDoubleSpinBox::valueChanged, this, &NewCanvasDialog::write_summary);
     return box;
 }
 
@@ -107,8 +119,8 @@ document::CanvasSettings NewCanvasDialog::settings() const {
 /// Whether this machine keeps pace with the hand on such cells.
 QString NewCanvasDialog::pace_words(double px_per_mm) const {
     if (px_per_mm <= live_px_per_mm_) return tr("This machine keeps pace with the hand.");
-    return tr("This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be "
-              "painted again.")
+    return tr("This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted "
+              "again finer.")
         .arg(live_px_per_mm_);
 }
 
@@ -120,9 +132,10 @@ void NewCanvasDialog::write_summary() {
         const document::CanvasSettings wanted = settings();
         document::check_canvas_fits(wanted, core::available_memory_bytes());
         const grid::Shape shape = document::canvas_shape(wanted);
-        text = tr("A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.")
+        text = tr("A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.")
                    .arg(shape.width)
                    .arg(shape.height)
+                   .arg(std::lround(kInch_mm * wanted.px_per_mm))
                    .arg(document::estimated_bytes(shape) >> 20U);
         text += QLatin1Char('\n') + shown_words(wanted.px_per_mm) + QLatin1Char(' ') +
                 pace_words(wanted.px_per_mm);

@@ -1,9 +1,8 @@
 // Asks for the size and the support of a fresh canvas.
 #pragma once
 
+#include "dialogs/growing_dialog.hpp"
 #include "document/events.hpp"
-
-#include <QDialog>
 
 class QComboBox;
 class QDialogButtonBox;
@@ -12,7 +11,7 @@ class QLabel;
 
 namespace pastoso::dialogs {
 
-class NewCanvasDialog : public QDialog {
+class NewCanvasDialog : public GrowingDialog {
     Q_OBJECT
   public:
     /// `live_px_per_mm`: the finest cells on which this machine keeps pace with the hand.
@@ -22,7 +21,8 @@ class NewCanvasDialog : public QDialog {
     document::CanvasSettings settings() const;
 
   private:
-    QDoubleSpinBox* add_number(double lowest, double highest, double value, const QString& suffix);
+    QDoubleSpinBox* add_side(const QString& name, double value_mm);
+    QDoubleSpinBox* add_number(QDoubleSpinBox* box, const QString& name, const QString& suffix);
     void choose_image();
     QString pace_words(double px_per_mm) const;
     void write_summary();

@@ -35,7 +35,7 @@ QString sentences(const std::vector<std::string>& notes) {
 }  // namespace
 
 RepaintDialog::RepaintDialog(document::Recording strokes, std::string name, QWidget* parent)
-    : QDialog(parent),
+    : GrowingDialog(parent),
       strokes_(std::move(strokes)),
       name_(std::move(name)),
       px_per_mm_(new QDoubleSpinBox),
@@ -59,7 +59,7 @@ RepaintDialog::RepaintDialog(document::Recording strokes, std::string name, QWid
     summary_->setMinimumWidth(48 * summary_->fontMetrics().averageCharWidth());
 
     auto* form = new QFormLayout;
-    form->addRow(tr("&Cells per millimetre"), px_per_mm_);
+    form->addRow(tr("&Pixels per millimetre"), px_per_mm_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(18, 18, 18, 14);
     column->setSpacing(12);
@@ -76,7 +76,7 @@ void RepaintDialog::show_outcome() {
         const project::RepaintingTerms terms = project::repainting_terms(strokes_, name_, free_bytes);
         show_possible(
             true,
-            tr("%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are "
+            tr("%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are "
                "painted again beside the painting on the easel, which stays as it is.")
                     .arg(terms.cells.width)
                     .arg(terms.cells.height)

@@ -1,11 +1,10 @@
 // Asks on how fine cells a painting is to be painted again.
 #pragma once
 
+#include "dialogs/growing_dialog.hpp"
 #include "project/repainting.hpp"
 
 #include <string>
-
-#include <QDialog>
 
 class QDialogButtonBox;
 class QDoubleSpinBox;
@@ -13,7 +12,7 @@ class QLabel;
 
 namespace pastoso::dialogs {
 
-class RepaintDialog : public QDialog {
+class RepaintDialog : public GrowingDialog {
     Q_OBJECT
   public:
     /// `name` stands for the painting in sentences.

@@ -11,7 +11,7 @@ namespace pastoso::dialogs {
 
 SelectRangeDialog::SelectRangeDialog(const QString& title, const QString& explanation,
                                      const SelectedRange& proposal, QWidget* parent)
-    : QDialog(parent), how_(new QComboBox), outcome_(new QLabel) {
+    : GrowingDialog(parent), how_(new QComboBox), outcome_(new QLabel) {
     setWindowTitle(title);
     least_ = add_thickness(QStringLiteral("least_mm"), proposal.least_mm);
     most_ = add_thickness(QStringLiteral("most_mm"), proposal.most_mm);

@@ -1,9 +1,8 @@
 // Asks which paint to select, by how high or how wet it stands; the window shows what it would be.
 #pragma once
 
+#include "dialogs/growing_dialog.hpp"
 #include "document/actions/selection_actions.hpp"
-
-#include <QDialog>
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -16,7 +15,7 @@ struct SelectedRange {
     grid::Combination how = grid::Combination::Replace;
 };
 
-class SelectRangeDialog : public QDialog {
+class SelectRangeDialog : public GrowingDialog {
     Q_OBJECT
   public:
     /// `explanation` says what is measured; the range is what stands there first.

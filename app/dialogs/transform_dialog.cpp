@@ -49,7 +49,7 @@ bool reaches_beyond(const tools::TransformFrame& frame, const QSizeF& canvas_mm)
 TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm,
                                  QWidget* parent)
     // A tool window leaves the keys of the window below it as they are.
-    : QDialog(parent, Qt::Tool), frame_(frame), canvas_mm_(canvas_mm), outcome_(new QLabel) {
+    : GrowingDialog(parent, Qt::Tool), frame_(frame), canvas_mm_(canvas_mm), outcome_(new QLabel) {
     setWindowTitle(tr("Transform"));
     constexpr double kFar_mm = document::kMaxPenPosition_mm;
     constexpr double kLeast = kPercent * document::kLeastScale, kMost = kPercent * document::kMostScale;

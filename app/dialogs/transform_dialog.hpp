@@ -1,9 +1,9 @@
 // The frame around a layer's paint in numbers; the canvas shows it at the same time.
 #pragma once
 
+#include "dialogs/growing_dialog.hpp"
 #include "tools/transform_frame.hpp"
 
-#include <QDialog>
 #include <QSizeF>
 
 class QDoubleSpinBox;
@@ -13,7 +13,7 @@ class QToolButton;
 
 namespace pastoso::dialogs {
 
-class TransformDialog : public QDialog {
+class TransformDialog : public GrowingDialog {
     Q_OBJECT
   public:
     /// `canvas_mm`: what comes to lie beyond it is told.

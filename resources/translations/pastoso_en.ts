@@ -124,6 +124,25 @@
     </message>
 </context>
 <context>
+    <name>Findable</name>
+    <message>
+        <source>Take this tool in hand</source>
+        <translation>Take this tool in hand</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Paint</translation>
+    </message>
+    <message>
+        <source>Choose this paint</source>
+        <translation>Choose this paint</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medium</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Like Krita</source>
@@ -195,14 +214,6 @@
     <message>
         <source>Clean</source>
         <translation>Clean</translation>
-    </message>
-    <message>
-        <source>Reload each stroke</source>
-        <translation>Reload each stroke</translation>
-    </message>
-    <message>
-        <source>Turn with stroke</source>
-        <translation>Turn with stroke</translation>
     </message>
     <message>
         <source>Medium </source>
@@ -480,6 +491,14 @@
     <message>
         <source>stain</source>
         <translation>stain</translation>
+    </message>
+    <message>
+        <source>Each stroke</source>
+        <translation>Each stroke</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Turns</translation>
     </message>
 </context>
 <context>
@@ -2385,12 +2404,12 @@
         <translation>What do you want to do?</translation>
     </message>
     <message>
-        <source>No command of that name. Fewer letters find more.</source>
-        <translation>No command of that name. Fewer letters find more.</translation>
-    </message>
-    <message>
         <source>Not now: %1</source>
         <translation>Not now: %1</translation>
+    </message>
+    <message>
+        <source>Nothing of that name. Fewer letters find more.</source>
+        <translation>Nothing of that name. Fewer letters find more.</translation>
     </message>
 </context>
 <context>
@@ -2535,14 +2554,6 @@
         <translation>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</translation>
     </message>
     <message>
-        <source> px/cell</source>
-        <translation> px/cell</translation>
-    </message>
-    <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
-        <translation>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</translation>
-    </message>
-    <message>
         <source> px wide</source>
         <translation> px wide</translation>
     </message>
@@ -2661,6 +2672,14 @@
     <message>
         <source>Canvas of &amp;it</source>
         <translation>Canvas of &amp;it</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</source>
+        <translation>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</translation>
     </message>
 </context>
 <context>
@@ -2784,10 +2803,6 @@
         <translation>Image: %1</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
-        <translation>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</translation>
-    </message>
-    <message>
         <source>For large forms: brush marks blur.</source>
         <translation>For large forms: brush marks blur.</translation>
     </message>
@@ -2804,12 +2819,24 @@
         <translation>This machine keeps pace with the hand.</translation>
     </message>
     <message>
-        <source>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</source>
-        <translation>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</translation>
-    </message>
-    <message>
         <source>Bristle marks and the weave show.</source>
         <translation>Bristle marks and the weave show.</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>Dots per inch may be typed as well: 127 dpi</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in</source>
+        <translation>Other units may be typed as well: 50 cm, 20 in</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</source>
+        <translation>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
+        <translation>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</translation>
     </message>
 </context>
 <context>
@@ -2873,12 +2900,12 @@
         <translation> px/mm</translation>
     </message>
     <message>
-        <source>&amp;Cells per millimetre</source>
-        <translation>&amp;Cells per millimetre</translation>
+        <source>&amp;Pixels per millimetre</source>
+        <translation>&amp;Pixels per millimetre</translation>
     </message>
     <message>
-        <source>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</translation>
+        <source>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</translation>
     </message>
 </context>
 <context>
@@ -2937,10 +2964,6 @@
     <message>
         <source>Appearance</source>
         <translation>Appearance</translation>
-    </message>
-    <message>
-        <source>Keeping</source>
-        <translation>Keeping</translation>
     </message>
     <message>
         <source>Performance</source>
@@ -3100,6 +3123,10 @@
     <message>
         <source>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</source>
         <translation>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</translation>
+    </message>
+    <message>
+        <source>Undo and saving</source>
+        <translation>Undo and saving</translation>
     </message>
 </context>
 <context>
@@ -6496,10 +6523,6 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <translation>The pen&apos;s place on the canvas, from its upper left corner</translation>
     </message>
     <message>
-        <source>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</source>
-        <translation>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</translation>
-    </message>
-    <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
         <translation>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</translation>
     </message>
@@ -6563,16 +6586,17 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>%1 % selected</source>
         <translation>%1 % selected</translation>
     </message>
-    <message numerus="yes">
-        <source>%n tile(s) moving, %1 % load</source>
-        <translation>
-            <numerusform>%n tile moving, %1 % load</numerusform>
-            <numerusform>%n tiles moving, %1 % load</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
         <translation>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</translation>
+    </message>
+    <message>
+        <source>Whether paint still moves, and how much of its time this computer works on it</source>
+        <translation>Whether paint still moves, and how much of its time this computer works on it</translation>
+    </message>
+    <message>
+        <source>paint moving, %1 % busy</source>
+        <translation>paint moving, %1 % busy</translation>
     </message>
 </context>
 <context>

@@ -124,6 +124,25 @@
     </message>
 </context>
 <context>
+    <name>Findable</name>
+    <message>
+        <source>Take this tool in hand</source>
+        <translation>この道具を持つ</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>絵の具</translation>
+    </message>
+    <message>
+        <source>Choose this paint</source>
+        <translation>この絵の具を選ぶ</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>メディウム</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Like Krita</source>
@@ -195,14 +214,6 @@
     <message>
         <source>Clean</source>
         <translation>洗う</translation>
-    </message>
-    <message>
-        <source>Reload each stroke</source>
-        <translation>ストロークごとに付け直す</translation>
-    </message>
-    <message>
-        <source>Turn with stroke</source>
-        <translation>ストロークに合わせて回す</translation>
     </message>
     <message>
         <source>Medium </source>
@@ -480,6 +491,14 @@
     <message>
         <source>stain</source>
         <translation>ステイン</translation>
+    </message>
+    <message>
+        <source>Each stroke</source>
+        <translation>毎回付け直す</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>向きを合わせる</translation>
     </message>
 </context>
 <context>
@@ -2384,12 +2403,12 @@
         <translation>何をしますか？</translation>
     </message>
     <message>
-        <source>No command of that name. Fewer letters find more.</source>
-        <translation>その名前のコマンドはありません。文字を減らすと見つかりやすくなります。</translation>
-    </message>
-    <message>
         <source>Not now: %1</source>
         <translation>今は使えません: %1</translation>
+    </message>
+    <message>
+        <source>Nothing of that name. Fewer letters find more.</source>
+        <translation>その名前のものはありません。文字を減らすと見つかりやすくなります。</translation>
     </message>
 </context>
 <context>
@@ -2534,14 +2553,6 @@
         <translation>ウィンドウで見たとおりの作品。オフにすると、スキャンしたような絵の具そのものの色になる</translation>
     </message>
     <message>
-        <source> px/cell</source>
-        <translation> px/セル</translation>
-    </message>
-    <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
-        <translation>キャンバスの1セルあたりのピクセル数。1はウィンドウで描くときと同じ、2は幅も高さも2倍。補間されるのは画像ではなく絵の具の表面</translation>
-    </message>
-    <message>
         <source> px wide</source>
         <translation> px 幅</translation>
     </message>
@@ -2660,6 +2671,14 @@
     <message>
         <source>Canvas of &amp;it</source>
         <translation>キャンバスの解像度(&amp;I)</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</source>
+        <translation>1 はウィンドウで描いたまま、2 は幅も高さも 2 倍。引き伸ばすのではなく、細かくなります</translation>
     </message>
 </context>
 <context>
@@ -2783,10 +2802,6 @@
         <translation>画像: %1</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
-        <translation>%1 × %2 ピクセルの画像になります。全体が濡れているときは最大 %3 MiB のメモリーを使います。</translation>
-    </message>
-    <message>
         <source>For large forms: brush marks blur.</source>
         <translation>大きな形向き: 筆跡はぼやけます。</translation>
     </message>
@@ -2803,12 +2818,24 @@
         <translation>このマシンは手の速さについていけます。</translation>
     </message>
     <message>
-        <source>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</source>
-        <translation>このマシンが手の速さについていけるのは %1 px/mm までです。より細かいセルでは、絵を再描画できます。</translation>
-    </message>
-    <message>
         <source>Bristle marks and the weave show.</source>
         <translation>毛跡と布目が見えます。</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>dpi でも入力できます: 127 dpi</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in</source>
+        <translation>ほかの単位でも入力できます: 50 cm、20 in</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</source>
+        <translation>このマシンが手の速さについていけるのは %1 px/mm までです。描いた絵は、あとからより細かく再描画できます。</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
+        <translation>%1 × %2 ピクセル、%3 dpi の画像になります。全体が濡れているときは最大 %4 MiB のメモリーを使います。</translation>
     </message>
 </context>
 <context>
@@ -2869,12 +2896,12 @@
         <translation> px/mm</translation>
     </message>
     <message>
-        <source>&amp;Cells per millimetre</source>
-        <translation>1 mm あたりのセル数(&amp;C)</translation>
+        <source>&amp;Pixels per millimetre</source>
+        <translation>1 mm あたりのピクセル数(&amp;P)</translation>
     </message>
     <message>
-        <source>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 セル。メモリを約 %3 GiB 使います（空き %4 GiB）。ストロークは別に描き直され、イーゼルの絵はそのまま残ります。</translation>
+        <source>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 ピクセル。メモリを約 %3 GiB 使います（空き %4 GiB）。ストロークは別に描き直され、イーゼルの絵はそのまま残ります。</translation>
     </message>
 </context>
 <context>
@@ -2933,10 +2960,6 @@
     <message>
         <source>Appearance</source>
         <translation>外観</translation>
-    </message>
-    <message>
-        <source>Keeping</source>
-        <translation>保存</translation>
     </message>
     <message>
         <source>Performance</source>
@@ -3095,6 +3118,10 @@
     <message>
         <source>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</source>
         <translation>「表示」メニューの「ソフトプルーフ」と「色域外の警告」に使います。お使いのプリンターと用紙、または印刷所のものを選んでください。</translation>
+    </message>
+    <message>
+        <source>Undo and saving</source>
+        <translation>元に戻すと保存</translation>
     </message>
 </context>
 <context>
@@ -6481,10 +6508,6 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <translation>ペンのキャンバス上の位置。左上の角から測る</translation>
     </message>
     <message>
-        <source>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</source>
-        <translation>絵の具がまだ動いている64 x 64セルのタイルの数と、その計算が時間に占める割合</translation>
-    </message>
-    <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
         <translation>ツールは輪郭の中だけに効く。Ctrl+Aで選択を解除、Escで描画に戻る</translation>
     </message>
@@ -6548,15 +6571,17 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>%1 % selected</source>
         <translation>%1 % を選択中</translation>
     </message>
-    <message numerus="yes">
-        <source>%n tile(s) moving, %1 % load</source>
-        <translation>
-            <numerusform>%n タイルが動作中、負荷 %1 %</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
         <translation>実際の時間に対する絵の具の時間。濡れた絵の具が多く、計算が追いつかないときは設定より遅くなる</translation>
+    </message>
+    <message>
+        <source>Whether paint still moves, and how much of its time this computer works on it</source>
+        <translation>絵の具がまだ動いているか、このコンピューターがその計算にどれだけ時間を使っているか</translation>
+    </message>
+    <message>
+        <source>paint moving, %1 % busy</source>
+        <translation>絵の具が動いています、負荷 %1 %</translation>
     </message>
 </context>
 <context>

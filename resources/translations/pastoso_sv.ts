@@ -124,6 +124,25 @@
     </message>
 </context>
 <context>
+    <name>Findable</name>
+    <message>
+        <source>Take this tool in hand</source>
+        <translation>Ta det här verktyget i handen</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Färg</translation>
+    </message>
+    <message>
+        <source>Choose this paint</source>
+        <translation>Välj den här färgen</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medium</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Like Krita</source>
@@ -195,14 +214,6 @@
     <message>
         <source>Clean</source>
         <translation>Rengör</translation>
-    </message>
-    <message>
-        <source>Reload each stroke</source>
-        <translation>Ladda om före varje drag</translation>
-    </message>
-    <message>
-        <source>Turn with stroke</source>
-        <translation>Vrid med draget</translation>
     </message>
     <message>
         <source>Medium </source>
@@ -480,6 +491,14 @@
     <message>
         <source>stain</source>
         <translation>bets</translation>
+    </message>
+    <message>
+        <source>Each stroke</source>
+        <translation>Varje drag</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Vrids</translation>
     </message>
 </context>
 <context>
@@ -2385,12 +2404,12 @@
         <translation>Vad vill du göra?</translation>
     </message>
     <message>
-        <source>No command of that name. Fewer letters find more.</source>
-        <translation>Det finns inget kommando med det namnet. Färre bokstäver hittar fler.</translation>
-    </message>
-    <message>
         <source>Not now: %1</source>
         <translation>Inte nu: %1</translation>
+    </message>
+    <message>
+        <source>Nothing of that name. Fewer letters find more.</source>
+        <translation>Det finns inget med det namnet. Färre bokstäver hittar fler.</translation>
     </message>
 </context>
 <context>
@@ -2535,14 +2554,6 @@
         <translation>Som fönstret visar målningen; annars färgens egna kulörer, som en skanning återger dem</translation>
     </message>
     <message>
-        <source> px/cell</source>
-        <translation> px/cell</translation>
-    </message>
-    <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
-        <translation>Pixlar per cell på duken: 1 som fönstret målar den, 2 dubbelt så bred och hög. Färgens yta interpoleras, inte pixlarna</translation>
-    </message>
-    <message>
         <source> px wide</source>
         <translation> px bred</translation>
     </message>
@@ -2661,6 +2672,14 @@
     <message>
         <source>Canvas of &amp;it</source>
         <translation>D&amp;ukens upplösning</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</source>
+        <translation>1 är som fönstret målar, 2 dubbelt så bred och hög: finare, inte bara förstorad</translation>
     </message>
 </context>
 <context>
@@ -2784,10 +2803,6 @@
         <translation>Bild: %1</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
-        <translation>En bild på %1 × %2 pixlar; upp till %3 MiB minne när allt är vått.</translation>
-    </message>
-    <message>
         <source>For large forms: brush marks blur.</source>
         <translation>För stora former: penselspår suddas ut.</translation>
     </message>
@@ -2804,12 +2819,24 @@
         <translation>Den här datorn hinner med handen.</translation>
     </message>
     <message>
-        <source>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</source>
-        <translation>Den här datorn hinner med handen upp till %1 px/mm; på finare celler kan en målning målas om.</translation>
-    </message>
-    <message>
         <source>Bristle marks and the weave show.</source>
         <translation>Borstspår och väven syns.</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>Det går också att skriva punkter per tum: 127 dpi</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in</source>
+        <translation>Det går också att skriva andra enheter: 50 cm, 20 in</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</source>
+        <translation>Den här datorn hinner med handen upp till %1 px/mm; det som är målat kan målas om finare.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
+        <translation>En bild på %1 × %2 pixlar, %3 dpi; upp till %4 MiB minne när allt är vått.</translation>
     </message>
 </context>
 <context>
@@ -2873,12 +2900,12 @@
         <translation> px/mm</translation>
     </message>
     <message>
-        <source>&amp;Cells per millimetre</source>
-        <translation>&amp;Celler per millimeter</translation>
+        <source>&amp;Pixels per millimetre</source>
+        <translation>&amp;Pixlar per millimeter</translation>
     </message>
     <message>
-        <source>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 celler, som tar omkring %3 GiB minne; %4 GiB är lediga. Penseldragen målas om bredvid målningen på staffliet, som förblir som den är.</translation>
+        <source>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 pixlar, som tar omkring %3 GiB minne; %4 GiB är lediga. Penseldragen målas om bredvid målningen på staffliet, som förblir som den är.</translation>
     </message>
 </context>
 <context>
@@ -2937,10 +2964,6 @@
     <message>
         <source>Appearance</source>
         <translation>Utseende</translation>
-    </message>
-    <message>
-        <source>Keeping</source>
-        <translation>Spara och ångra</translation>
     </message>
     <message>
         <source>Performance</source>
@@ -3100,6 +3123,10 @@
     <message>
         <source>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</source>
         <translation>För ”Skärmkorrektur” och ”Omfångsvarning” i menyn ”Visa”: din skrivares och ditt pappers, eller ditt tryckeris.</translation>
+    </message>
+    <message>
+        <source>Undo and saving</source>
+        <translation>Ångra och spara</translation>
     </message>
 </context>
 <context>
@@ -6496,10 +6523,6 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
         <translation>Pennans läge på duken, från dess övre vänstra hörn</translation>
     </message>
     <message>
-        <source>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</source>
-        <translation>Rutor på 64 x 64 celler där färgen ännu rör sig, och hur stor del av tiden det tar att beräkna dem</translation>
-    </message>
-    <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
         <translation>Verktygen håller sig inom konturen; Ctrl+A avslutar markeringen, med Esc målar du igen</translation>
     </message>
@@ -6563,16 +6586,17 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
         <source>%1 % selected</source>
         <translation>%1 % markerat</translation>
     </message>
-    <message numerus="yes">
-        <source>%n tile(s) moving, %1 % load</source>
-        <translation>
-            <numerusform>%n ruta rör sig, %1 % last</numerusform>
-            <numerusform>%n rutor rör sig, %1 % last</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
         <translation>Färgens tid mot klockan: mindre än du valt när det finns mer våt färg än datorn hinner flytta</translation>
+    </message>
+    <message>
+        <source>Whether paint still moves, and how much of its time this computer works on it</source>
+        <translation>Om färgen ännu rör sig, och hur stor del av tiden datorn arbetar med den</translation>
+    </message>
+    <message>
+        <source>paint moving, %1 % busy</source>
+        <translation>färgen rör sig, %1 % upptagen</translation>
     </message>
 </context>
 <context>

@@ -124,6 +124,25 @@
     </message>
 </context>
 <context>
+    <name>Findable</name>
+    <message>
+        <source>Take this tool in hand</source>
+        <translation>拿起這個工具</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>顏料</translation>
+    </message>
+    <message>
+        <source>Choose this paint</source>
+        <translation>選用這個顏料</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>媒材</translation>
+    </message>
+</context>
+<context>
     <name>Keys</name>
     <message>
         <source>Like Krita</source>
@@ -195,14 +214,6 @@
     <message>
         <source>Clean</source>
         <translation>清潔</translation>
-    </message>
-    <message>
-        <source>Reload each stroke</source>
-        <translation>每筆重新沾料</translation>
-    </message>
-    <message>
-        <source>Turn with stroke</source>
-        <translation>隨筆觸轉動</translation>
     </message>
     <message>
         <source>Medium </source>
@@ -480,6 +491,14 @@
     <message>
         <source>stain</source>
         <translation>染色</translation>
+    </message>
+    <message>
+        <source>Each stroke</source>
+        <translation>每筆沾料</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>隨筆轉</translation>
     </message>
 </context>
 <context>
@@ -2384,12 +2403,12 @@
         <translation>你想做什麼？</translation>
     </message>
     <message>
-        <source>No command of that name. Fewer letters find more.</source>
-        <translation>找不到這個指令。少打幾個字，可以找到更多。</translation>
-    </message>
-    <message>
         <source>Not now: %1</source>
         <translation>目前無法使用：%1</translation>
+    </message>
+    <message>
+        <source>Nothing of that name. Fewer letters find more.</source>
+        <translation>找不到這個名稱。少打幾個字，可以找到更多。</translation>
     </message>
 </context>
 <context>
@@ -2534,14 +2553,6 @@
         <translation>和視窗顯示的畫作一樣；否則只輸出顏料本身的顏色，像掃描的結果</translation>
     </message>
     <message>
-        <source> px/cell</source>
-        <translation> px/格</translation>
-    </message>
-    <message>
-        <source>Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide and high. The paint&apos;s surface is interpolated, not the pixels</source>
-        <translation>畫布每一格的像素數：1 與視窗所畫的相同，2 的寬和高都加倍。內插的是顏料表面，不是像素</translation>
-    </message>
-    <message>
         <source> px wide</source>
         <translation> px 寬</translation>
     </message>
@@ -2660,6 +2671,14 @@
     <message>
         <source>Canvas of &amp;it</source>
         <translation>重畫用的畫布(&amp;I)</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> 倍</translation>
+    </message>
+    <message>
+        <source>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</source>
+        <translation>1 為視窗中繪製的大小，2 為寬高各兩倍：更精細，而不只是放大</translation>
     </message>
 </context>
 <context>
@@ -2783,10 +2802,6 @@
         <translation>圖片：%1</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels; up to %3 MiB of memory when all of it is wet.</source>
-        <translation>%1 × %2 像素的圖片；全部都是濕顏料時，最多占用 %3 MiB 記憶體。</translation>
-    </message>
-    <message>
         <source>For large forms: brush marks blur.</source>
         <translation>適合大塊面：筆痕會模糊。</translation>
     </message>
@@ -2803,12 +2818,24 @@
         <translation>這台電腦跟得上手的速度。</translation>
     </message>
     <message>
-        <source>This machine keeps pace with the hand up to %1 px/mm; on finer cells, a painting can be painted again.</source>
-        <translation>這台電腦在 %1 px/mm 以內跟得上手的速度；更細的格點可用重新繪製。</translation>
-    </message>
-    <message>
         <source>Bristle marks and the weave show.</source>
         <translation>可見鬃毛痕與布紋。</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>也可以輸入每英吋點數：127 dpi</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in</source>
+        <translation>也可以輸入其他單位：50 cm、20 in</translation>
+    </message>
+    <message>
+        <source>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</source>
+        <translation>這台電腦在 %1 px/mm 以內跟得上手的速度；畫好的可以再重新繪製得更細。</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
+        <translation>%1 × %2 像素、%3 dpi 的圖片；全部都是濕顏料時，最多占用 %4 MiB 記憶體。</translation>
     </message>
 </context>
 <context>
@@ -2869,12 +2896,12 @@
         <translation> px/mm</translation>
     </message>
     <message>
-        <source>&amp;Cells per millimetre</source>
-        <translation>每公釐格數(&amp;C)</translation>
+        <source>&amp;Pixels per millimetre</source>
+        <translation>每公釐像素數(&amp;P)</translation>
     </message>
     <message>
-        <source>%1 × %2 cells, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 格，約需要 %3 GiB 記憶體；可用 %4 GiB。筆觸會另外重新繪製，畫架上的畫保持不變。</translation>
+        <source>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 像素，約需要 %3 GiB 記憶體；可用 %4 GiB。筆觸會另外重新繪製，畫架上的畫保持不變。</translation>
     </message>
 </context>
 <context>
@@ -2933,10 +2960,6 @@
     <message>
         <source>Appearance</source>
         <translation>外觀</translation>
-    </message>
-    <message>
-        <source>Keeping</source>
-        <translation>儲存與復原</translation>
     </message>
     <message>
         <source>Performance</source>
@@ -3095,6 +3118,10 @@
     <message>
         <source>For &quot;Soft proof&quot; and &quot;Gamut warning&quot; in the &quot;View&quot; menu: of your printer and paper, or of your printing house.</source>
         <translation>用於「檢視」選單中的「軟打樣」與「色域警告」：您的印表機與紙張的，或印刷廠的描述檔。</translation>
+    </message>
+    <message>
+        <source>Undo and saving</source>
+        <translation>復原與儲存</translation>
     </message>
 </context>
 <context>
@@ -6481,10 +6508,6 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <translation>筆在畫布上的位置，從左上角算起</translation>
     </message>
     <message>
-        <source>Tiles of 64 x 64 cells in which the paint still moves, and how much of its time computing them takes</source>
-        <translation>顏料仍在流動的區塊數（每塊 64 x 64 格），以及計算它們所占的時間</translation>
-    </message>
-    <message>
         <source>Tools keep to what is outlined; Ctrl+A ends the selection, Esc goes back to painting</source>
         <translation>工具只作用於框選的範圍；Ctrl+A 取消選取，Esc 回到作畫</translation>
     </message>
@@ -6548,15 +6571,17 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <source>%1 % selected</source>
         <translation>已選取 %1 %</translation>
     </message>
-    <message numerus="yes">
-        <source>%n tile(s) moving, %1 % load</source>
-        <translation>
-            <numerusform>%n 個區塊流動中，負載 %1 %</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
         <translation>顏料時間與實際時間的比例：濕顏料太多，電腦來不及計算時，會低於你的設定</translation>
+    </message>
+    <message>
+        <source>Whether paint still moves, and how much of its time this computer works on it</source>
+        <translation>顏料是否還在流動，以及這台電腦花多少時間計算</translation>
+    </message>
+    <message>
+        <source>paint moving, %1 % busy</source>
+        <translation>顏料流動中，忙碌 %1 %</translation>
     </message>
 </context>
 <context>

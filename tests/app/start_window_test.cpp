@@ -5,6 +5,7 @@
 #include "core/text_file.hpp"
 #include "dialogs/new_canvas_dialog.hpp"
 #include "dialogs/recovery_dialog.hpp"
+#include "dialogs/transform_dialog.hpp"
 #include "journal/recovery.hpp"
 #include "main/window_parts.hpp"
 #include "panels/parts/gallery.hpp"
@@ -220,6 +221,55 @@ TEST_F(StartWindow, MoreOpensTheDialogAndThePageStaysUntilThereIsACanvas) {
     when_asked<dialogs::NewCanvasDialog>([](QDialog& dialog) { dialog.accept(); });
     click(sizes, sizes.count() - 1);
     EXPECT_FALSE(page_is_shown());
+}
+
+TEST_F(StartWindow, ANewCanvasIsTypedInAnyUnit) {
+    dialogs::NewCanvasDialog dialog(canvas_settings(), 6.0);
+    dialog.show();
+    wait_until_shown(dialog);
+    QApplication::setActiveWindow(&dialog);
+    const auto box = [&](const char* name) {
+        return dialog.findChild<QDoubleSpinBox*>(QString::fromLatin1(name));
+    };
+    ASSERT_EQ(dialog.focusWidget(), box("width_mm"));
+    QTest::keyClicks(box("width_mm"), QStringLiteral("50 cm"));
+    EXPECT_DOUBLE_EQ(dialog.settings().width_mm, 500.0) << "what stood there was selected";
+    const auto type = [](QDoubleSpinBox* into, const char* words) {
+        into->setFocus();
+        into->selectAll();
+        QTest::keyClicks(into, QString::fromLatin1(words));
+        QTest::keyClick(into, Qt::Key_Tab);
+    };
+    type(box("height_mm"), "8 in");
+    EXPECT_DOUBLE_EQ(dialog.settings().height_mm, 203.2);
+    type(box("height_mm"), "5\"");
+    EXPECT_DOUBLE_EQ(dialog.settings().height_mm, 127.0);
+    type(box("height_mm"), "0.2m");
+    EXPECT_DOUBLE_EQ(dialog.settings().height_mm, 200.0);
+    type(box("height_mm"), "nothing");
+    EXPECT_DOUBLE_EQ(dialog.settings().height_mm, 200.0) << "no letters without a number";
+    type(box("px_per_mm"), "127 dpi");
+    EXPECT_DOUBLE_EQ(dialog.settings().px_per_mm, 5.0);
+    const QString summary = dialog.findChild<QLabel*>(QStringLiteral("summary"))->text();
+    EXPECT_THAT(summary.toStdString(), HasSubstr("2500 × 1000 pixels, 127 dpi"));
+}
+
+TEST_F(StartWindow, ADialogGrowsWithItsWords) {
+    dialogs::NewCanvasDialog dialog(canvas_settings(), 6.0);
+    dialog.show();
+    wait_until_shown(dialog);
+    const auto* summary = dialog.findChild<QLabel*>(QStringLiteral("summary"));
+    dialog.findChild<QDoubleSpinBox*>(QStringLiteral("px_per_mm"))->setValue(30.0);
+    QApplication::processEvents();
+    EXPECT_GE(summary->height(), summary->heightForWidth(summary->width()));
+
+    dialogs::TransformDialog transform({.size_mm = {20.0, 10.0}}, {60.0, 40.0});
+    transform.show();
+    wait_until_shown(transform);
+    transform.show_frame({.size_mm = {20.0, 10.0}, .move_mm = {500.0, 0.0}, .scale = {1.2, 1.1}});
+    QApplication::processEvents();
+    const auto* outcome = transform.findChild<QLabel*>(QStringLiteral("outcome"));
+    EXPECT_GE(outcome->height(), outcome->heightForWidth(outcome->width()));
 }
 
 TEST_F(StartWindow, ANewCanvasSaysWhatItsResolutionShowsAndWhetherTheMachineKeepsPace) {

@@ -1,0 +1,17 @@
+#include "dialogs/growing_dialog.hpp"
+
+#include <QEvent>
+#include <QLayout>
+
+namespace pastoso::dialogs {
+
+bool GrowingDialog::event(QEvent* event) {
+    const bool handled = QDialog::event(event);
+    if (event->type() != QEvent::LayoutRequest || layout() == nullptr) return handled;
+    const int needed =
+        layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width()) : sizeHint().height();
+    if (needed > height()) resize(width(), needed);
+    return handled;
+}
+
+}  // namespace pastoso::dialogs

@@ -1,0 +1,37 @@
+// Lengths and resolutions as painters know them: in millimetres, centimetres, metres, inches, or dpi.
+#pragma once
+
+#include <optional>
+
+#include <QDoubleSpinBox>
+#include <QLocale>
+
+namespace pastoso::dialogs {
+
+/// A box for a number in one unit, into which another may be typed.
+class UnitBox : public QDoubleSpinBox {
+    Q_OBJECT
+  public:
+    /// In `words` without spaces at its ends and in small letters; nothing where it is no such number.
+    using Reader = std::optional<double> (*)(const QString& words, const QLocale& locale);
+
+    explicit UnitBox(Reader reader, QWidget* parent = nullptr);
+
+    QValidator::State validate(QString& text, int& cursor) const override;
+    double valueFromText(const QString& text) const override;
+
+  private:
+    std::optional<double> read(const QString& text) const;
+
+    Reader reader_;
+};
+
+/// "500", "50 cm", "0.5 m", "20 in" or 20"; a number alone is of millimetres.
+std::optional<double> read_length_mm(const QString& words, const QLocale& locale);
+
+/// "5", "5 px/mm" or "127 dpi" (ppi); a number alone is of pixels per millimetre.
+std::optional<double> read_px_per_mm(const QString& words, const QLocale& locale);
+
+inline constexpr double kInch_mm = 25.4;
+
+}  // namespace pastoso::dialogs
