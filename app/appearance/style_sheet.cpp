@@ -1,5 +1,8 @@
 #include "appearance/style_sheet.hpp"
 
+#include "core/error.hpp"
+#include "core/resources.hpp"
+
 namespace pastoso::appearance {
 namespace {
 
@@ -21,6 +24,7 @@ QMenu::item:disabled { color: <faint_text>; }
 QMenu::separator { height: 1px; background: <line>; margin: 4px 6px; }
 QStatusBar { background: <window>; border-top: 1px solid <edge>; color: <quiet_text>; }
 QStatusBar::item { border: none; }
+QStatusBar QToolButton { padding: 2px 7px; }
 QStatusBar QLabel { color: <quiet_text>; padding: 0px 7px; }
 QWidget#pace_notice QLabel { color: <text>; padding: 0px 4px; }
 QWidget#pace_notice QPushButton { padding: 5px 8px; }
@@ -42,13 +46,24 @@ QFrame#command_palette { background: <window>; border: 1px solid <line>; }
 #keys_dialog QLabel#sentence { color: <warning>; }
 QComboBox { padding: 4px 8px; }
 QComboBox[fast="true"] { background: <chosen>; border-color: <accent>; color: <chosen_text>; }
+QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::down-arrow { image: url("<icons>/box_down.svg"); width: 10px; height: 10px; }
+QComboBox QAbstractItemView { background: <field>; color: <text>; selection-background-color: <chosen>; selection-color: <chosen_text>; }
 QAbstractSpinBox { padding: 3px 4px; }
+QAbstractSpinBox[buttonSymbols="UpDownArrows"]::up-button, QAbstractSpinBox[buttonSymbols="UpDownArrows"]::down-button { border: none; width: 16px; }
+QAbstractSpinBox[buttonSymbols="UpDownArrows"]::up-arrow { image: url("<icons>/box_up.svg"); width: 9px; height: 9px; }
+QAbstractSpinBox[buttonSymbols="UpDownArrows"]::down-arrow { image: url("<icons>/box_down.svg"); width: 9px; height: 9px; }
 QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton { background: <button>; border: 1px solid <line>; border-radius: 4px; padding: 5px 14px; }
 QPushButton:hover { background: <hovered>; }
 QPushButton:default { background: <chosen>; border-color: <accent>; color: <chosen_text>; }
 QPushButton:disabled { color: <faint_text>; background: <window>; border-color: <button>; }
 QToolButton { background: <button>; border: 1px solid <line>; border-radius: 4px; padding: 5px 9px; }
+QToolButton[small="true"] { background: transparent; border: 1px solid transparent; padding: 2px 4px; }
+QToolBar QToolButton { padding: 5px 7px; }
+QToolButton#qt_toolbar_ext_button { padding: 0px; }
+QFileDialog QToolButton { padding: 4px; }
+QMainWindow > QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true; }
 QToolButton:hover { background: <hovered>; }
 QToolButton:pressed, QToolButton:checked { background: <chosen>; border-color: <accent>; color: <chosen_text>; }
 QToolButton:disabled { color: <faint_text>; background: <window>; border-color: <button>; }
@@ -86,12 +101,23 @@ constexpr NamedColour kColours[] = {
     {"<warning>", &ThemeColours::warning},
 };
 
+/// Of the arrows in boxes, whose grey is seen in any theme: a style sheet takes pictures from files
+/// alone.
+QString icon_folder() {
+    try {
+        return QString::fromStdString(core::resource_path("icons").generic_string());
+    } catch (const core::InputError&) {
+        return {};  // a box without an arrow is a box still
+    }
+}
+
 }  // namespace
 
 QString style_sheet(const ThemeColours& colours) {
     QString rules = QString::fromUtf8(kRules);
     for (const NamedColour& named : kColours)
         rules.replace(QLatin1String(named.name), (colours.*named.colour).name());
+    rules.replace(QLatin1String("<icons>"), icon_folder());
     return rules;
 }
 

@@ -12,6 +12,7 @@
 #include "panels/messages/message_panel.hpp"
 #include "panels/paint/load_panel.hpp"
 #include "panels/paint/medium_panel.hpp"
+#include "panels/parts/section.hpp"
 #include "panels/pen/curves_panel.hpp"
 #include "panels/pen/guides_panel.hpp"
 
@@ -23,7 +24,6 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -129,22 +129,13 @@ QWidget* first_control(const QWidget* content) {
     return nullptr;
 }
 
-/// What does not fit into the window is scrolled to.
 QDockWidget* add_dock(Studio& studio, PanelSet& panels, const Dock& added) {
     QWidget* content = added.content;
     content->layout()->setContentsMargins(10, 8, 10, 8);
-    auto* scrolled = new QScrollArea;
-    scrolled->setFrameShape(QFrame::NoFrame);
-    scrolled->setFocusPolicy(Qt::NoFocus);  // a click beside the controls leaves the keys to the canvas
-    scrolled->setWidgetResizable(true);
-    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scrolled->setWidget(content);
-    scrolled->setMinimumWidth(content->minimumSizeHint().width() +
-                              scrolled->verticalScrollBar()->sizeHint().width());
     auto* dock =
         new QDockWidget(QCoreApplication::translate("pastoso::main", added.title), &studio.window());
     dock->setObjectName(QString::fromLatin1(added.name));
-    dock->setWidget(scrolled);
+    dock->setWidget(panels::scrolled(content));
     studio.window().addDockWidget(Qt::RightDockWidgetArea, dock);
     panels.docks[added.command] = dock;
     studio.commands().on(added.command, [dock, content](bool) {

@@ -8,7 +8,9 @@
 #include "panels/paint/paint_panel.hpp"
 #include "panels/paint/thinning_slider.hpp"
 #include "panels/paint/well_panel.hpp"
+#include "panels/parts/section.hpp"
 #include "panels/parts/status_readings.hpp"
+#include "panels/parts/tool_bar.hpp"
 #include "panels/pen/brush_panel.hpp"
 #include "pigment/box.hpp"
 #include "pigment/user_pigments.hpp"
@@ -19,18 +21,17 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QLabel>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QScrollArea>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::main {
 namespace {
 
-constexpr int kPanelWidth = 232, kToolIconSide = 20;
+constexpr int kPanelWidth = 252, kToolIconSide = 20;
 
 /// The box in its order, then the other tubes, the painter's own, and the medium.
 std::vector<panels::PaintEntry> paint_entries() {
@@ -72,40 +73,40 @@ QComboBox* make_time_box() {
 
 void make_tool_bar(Studio& studio, const PanelSet& panels) {
     using commands::Command;
-    QToolBar* bar = studio.window().addToolBar(QObject::tr("Tools"));
+    auto* bar = new panels::ToolBar(QObject::tr("Tools"));
+    studio.window().addToolBar(bar);
     bar->setObjectName(QStringLiteral("tool_bar"));
     bar->setMovable(false);
     bar->setIconSize(QSize(kToolIconSide, kToolIconSide));
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    const auto add_button = [&](Command command, const QString& words,
-                                Qt::ToolButtonStyle style = Qt::ToolButtonTextBesideIcon) {
+    const auto add_button = [&](Command command, const QString& words) {
         QAction* action = studio.commands().action(command);
         action->setIconText(words);
-        auto* button = new QToolButton;
-        button->setDefaultAction(action);
-        button->setToolButtonStyle(style);
-        button->setFocusPolicy(Qt::TabFocus);
-        bar->addWidget(button);
+        return bar->add_button(action);
     };
-    add_button(Command::Undo, QObject::tr("Undo"), Qt::ToolButtonIconOnly);
-    add_button(Command::Redo, QObject::tr("Redo"), Qt::ToolButtonIconOnly);
+    add_button(Command::Undo, QObject::tr("Undo"));
+    add_button(Command::Redo, QObject::tr("Redo"));
     bar->addSeparator();
-    add_button(Command::ReloadBrush, QObject::tr("Reload"), Qt::ToolButtonIconOnly);
-    add_button(Command::CleanBrush, QObject::tr("Clean"), Qt::ToolButtonIconOnly);
-    add_button(Command::ReloadEachStroke, QObject::tr("Reload each stroke"), Qt::ToolButtonIconOnly);
-    add_button(Command::TurnWithStroke, QObject::tr("Turn with stroke"), Qt::ToolButtonIconOnly);
+    add_button(Command::ReloadBrush, QObject::tr("Reload"));
+    add_button(Command::CleanBrush, QObject::tr("Clean"));
+    QToolButton* each = add_button(Command::ReloadEachStroke, QObject::tr("Each stroke"));
+    QToolButton* turns = add_button(Command::TurnWithStroke, QObject::tr("Turns"));
     bar->addSeparator();
-    bar->addWidget(new QLabel(QObject::tr("Medium ")));
+    QAction* medium = bar->add_word(QObject::tr("Medium "));
     bar->addWidget(panels.medium);
     bar->addWidget(panels.thinning);
-    add_button(Command::ThinWash, QObject::tr("Wash"), Qt::ToolButtonIconOnly);
+    add_button(Command::ThinWash, QObject::tr("Wash"));
     bar->addSeparator();
-    add_button(Command::Pause, QObject::tr("Pause"), Qt::ToolButtonIconOnly);
+    add_button(Command::Pause, QObject::tr("Pause"));
     bar->addWidget(panels.time);
-    add_button(Command::DryNow, QObject::tr("Dry now"));
-    add_button(Command::MixingWell, QObject::tr("Mixing well"));
+    QToolButton* dry = add_button(Command::DryNow, QObject::tr("Dry now"));
+    QToolButton* well = add_button(Command::MixingWell, QObject::tr("Mixing well"));
     bar->addSeparator();
-    add_button(Command::SavePainting, QObject::tr("Save"), Qt::ToolButtonIconOnly);
+    add_button(Command::SavePainting, QObject::tr("Save"));
+    // The icons that tell least come first.
+    bar->say({each, turns});
+    bar->say({dry, well});
+    bar->say(medium);
 }
 
 /// Its tools and their thumbnails come later.
@@ -124,19 +125,20 @@ panels::BrushPanel* make_brush_panel(const commands::CommandRegistry& commands) 
 
 void add_middle(Studio& studio, const PanelSet& panels) {
     auto* side = new QWidget;
-    side->setFixedWidth(kPanelWidth);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(12);
     column->addWidget(panels.brushes, 1);
     column->addWidget(panels.paints, 1);
     column->addWidget(panels.stand);
+    QScrollArea* scrolled = panels::scrolled(side);
+    scrolled->setFixedWidth(kPanelWidth);
 
     auto* middle = new QWidget;
     auto* row = new QHBoxLayout(middle);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    row->addWidget(side);
+    row->addWidget(scrolled);
     row->addWidget(&studio.canvas(), 1);
     studio.window().setCentralWidget(middle);
 }

@@ -17,6 +17,7 @@
 namespace pastoso::start {
 namespace {
 
+constexpr int kMostColumns = 3, kSpacing_px = 6;
 constexpr QSize kSheetRoom(96, 62), kSwatch_px(64, 40), kSwatchIcon(32, 20);
 
 /// Why there can be no such canvas now; empty where there can.
@@ -49,12 +50,12 @@ NewCanvasSection::NewCanvasSection(QWidget* parent)
     choices->setSpacing(6);
     choices->addWidget(heading(tr("New canvas")));
     choices->addStretch(1);
-    auto* supports = new QGridLayout;
-    supports->setSpacing(6);
-    add_supports(supports);
+    support_grid_ = new QGridLayout;
+    support_grid_->setSpacing(kSpacing_px);
+    add_supports();
     add_orientations(choices);
     column->addLayout(choices);
-    column->addLayout(supports);
+    column->addLayout(support_grid_);
     column->addWidget(sizes_);
     sizes_->setObjectName(QStringLiteral("canvas_sizes"));
     sizes_->setAccessibleName(tr("Sizes of a new canvas"));
@@ -74,16 +75,13 @@ QToolButton* NewCanvasSection::make_choice(const QString& words, const QString& 
     return button;
 }
 
-void NewCanvasSection::add_supports(QGridLayout* grid) {
-    constexpr int kColumns = 3;
+void NewCanvasSection::add_supports() {
     auto* group = new QButtonGroup(this);
     for (const dialogs::Support& support : supports_) {
         support_pictures_.push_back(support_picture(support.id, kSwatch_px));
         QToolButton* button = make_choice(QLatin1Char(' ') + support.name,
                                           tr("%1: %2").arg(support.name, support.detail));
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        const int number = static_cast<int>(support_buttons_.size());
-        grid->addWidget(button, number / kColumns, number % kColumns);
         button->setObjectName(QStringLiteral("support_") + QString::fromStdString(support.id));
         const auto draw = [button, picture = support_pictures_.back()] {
             button->setIcon(edged(appearance::shown(picture)));
@@ -95,6 +93,13 @@ void NewCanvasSection::add_supports(QGridLayout* grid) {
         support_buttons_.push_back(button);
     }
     support_buttons_.front()->setChecked(true);
+    lay_supports(kMostColumns);
+}
+
+void NewCanvasSection::lay_supports(int columns) {
+    for (int number = 0; number < static_cast<int>(support_buttons_.size()); ++number)
+        support_grid_->addWidget(support_buttons_[static_cast<std::size_t>(number)], number / columns,
+                                 number % columns);
 }
 
 void NewCanvasSection::add_orientations(QLayout* row) {
@@ -119,6 +124,11 @@ void NewCanvasSection::propose(const document::CanvasSettings& canvas, double li
 }
 
 void NewCanvasSection::fit(int width) {
+    int widest = 1;
+    for (const QToolButton* button : support_buttons_) {
+        widest = std::max(widest, button->sizeHint().width());
+    }
+    lay_supports(std::clamp((width + kSpacing_px) / (widest + kSpacing_px), 1, kMostColumns));
     sizes_->fit(width);
 }
 

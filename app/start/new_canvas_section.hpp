@@ -32,7 +32,8 @@ class NewCanvasSection : public QWidget {
     void more_wanted();  ///< other sizes, and supports of the painter's own
 
   private:
-    void add_supports(QGridLayout* grid);
+    void add_supports();
+    void lay_supports(int columns);
     void add_orientations(QLayout* row);
     QToolButton* make_choice(const QString& words, const QString& hint);
     void show_sizes();
@@ -46,6 +47,7 @@ class NewCanvasSection : public QWidget {
     const std::vector<dialogs::Support> supports_ = dialogs::supports();
     std::vector<QImage> support_pictures_;
     std::vector<QToolButton*> support_buttons_;
+    QGridLayout* support_grid_ = nullptr;
     Machine machine_;
     QToolButton* lying_ = nullptr;
     QToolButton* upright_ = nullptr;

@@ -98,11 +98,12 @@ QLayout* StartPage::make_foot() {
     at_start_->setChecked(true);
     auto* hint = new QLabel(tr("Esc closes it; \"Start page\" in the \"File\" menu brings it back."));
     hint->setObjectName(QStringLiteral("reading"));
+    hint->setWordWrap(true);
+    hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kMargin, 8, kMargin, 10);
     row->addWidget(at_start_);
-    row->addStretch(1);
-    row->addWidget(hint);
+    row->addWidget(hint, 1);
     return row;
 }
 
@@ -150,7 +151,9 @@ void StartPage::fit() {
     QWidget* content = scrolled_->widget();
     content->layout()->invalidate();
     content->layout()->activate();
-    const int foot = layout()->itemAt(1)->sizeHint().height();
+    const QLayoutItem* foot_row = layout()->itemAt(1);
+    const int foot = foot_row->hasHeightForWidth() ? foot_row->heightForWidth(width - 2)
+                                                   : foot_row->sizeHint().height();
     const int wanted = content->layout()->totalHeightForWidth(inner + 2 * kMargin) + foot + 4;
     const QSize size(width, std::min(wanted, place_.height() - 2 * kLeastAround_px));
     setGeometry(QRect(place_.center() - QPoint(size.width() / 2, size.height() / 2), size));
@@ -162,6 +165,12 @@ void StartPage::set_shown_at_start(bool shown) {
 
 bool StartPage::shown_at_start() const {
     return at_start_->isChecked();
+}
+
+/// What was never shown before knows neither its style nor its fonts.
+void StartPage::showEvent(QShowEvent* event) {
+    QFrame::showEvent(event);
+    fit();
 }
 
 bool StartPage::event(QEvent* event) {

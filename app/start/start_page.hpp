@@ -54,6 +54,7 @@ class StartPage : public QFrame {
     void dismissed();
 
   protected:
+    void showEvent(QShowEvent* event) override;
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 

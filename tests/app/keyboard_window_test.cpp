@@ -36,14 +36,19 @@
 #include <QApplication>
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QEnterEvent>
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTest>
+#include <QTimer>
 
 namespace pastoso::tests {
 namespace {
@@ -241,6 +246,37 @@ TEST_F(Keyboard, ReturnTakesAToolAndAPaint) {
     EXPECT_FALSE(studio().easel().hand().paint == paint);
 }
 
+TEST_F(Keyboard, AListThatIsClickedHasTheKeysUntilThePointerIsOverTheCanvas) {
+    QApplication::setActiveWindow(&window());
+    auto& brushes = *window().findChild<panels::BrushList*>();
+    const auto click = [](QListWidget& list, int row) {
+        list.scrollToItem(list.item(row));
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {},
+                          list.visualItemRect(list.item(row)).center());
+    };
+    const auto hand = [this]() -> const tools::Hand& { return studio().easel().hand(); };
+    click(brushes, 3);
+    ASSERT_TRUE(brushes.hasFocus());
+    const std::string clicked = hand().brush;
+    QTest::keyClick(&brushes, Qt::Key_Down);
+    EXPECT_NE(hand().brush, clicked) << "an arrow takes the next tool";
+    QTest::keyClick(&brushes, Qt::Key_D);
+    EXPECT_TRUE(hand().brush.starts_with("D")) << hand().brush << ": nothing is dried, a name is found";
+    EXPECT_TRUE(brushes.hasFocus());
+
+    auto& paints = *window().findChild<QListWidget*>(QStringLiteral("paints"));
+    click(paints, 0);
+    ASSERT_TRUE(paints.hasFocus());
+    const document::PaintRecipe paint = hand().paint;
+    QTest::keyClick(&paints, Qt::Key_Down);
+    EXPECT_FALSE(hand().paint == paint);
+
+    const QPointF place = canvas().rect().center();
+    QEnterEvent enter(place, place, canvas().mapToGlobal(place));
+    QApplication::sendEvent(&canvas(), &enter);
+    EXPECT_TRUE(canvas().hasFocus());
+}
+
 TEST_F(Keyboard, ArrowsTiltTheCanvas) {
     QApplication::setActiveWindow(&window());
     auto* dial = window().findChild<panels::TiltDial*>();
@@ -299,6 +335,24 @@ TEST_F(Keyboard, TheTiltsKnobIsWhereItIsDragged) {
 }
 
 // ---- dialogs
+
+TEST_F(Keyboard, AToolNeedsAName) {
+    bool asked = false;
+    QTimer::singleShot(0, [&asked] {
+        auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        asked = true;
+        const auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        auto* name = dialog->findChild<QLineEdit*>();
+        EXPECT_TRUE(ok->isEnabled());
+        EXPECT_EQ(name->selectedText(), name->text()) << "typing replaces it";
+        name->setText(QStringLiteral("  "));
+        EXPECT_FALSE(ok->isEnabled());
+        dialog->reject();
+    });
+    action(Command::SaveBrush)->trigger();
+    EXPECT_TRUE(asked);
+}
 
 TEST_F(Keyboard, ReachesAllOfTheSettings) {
     using Page = dialogs::SettingsDialog::Page;

@@ -17,7 +17,7 @@ namespace pastoso::panels {
 DirectionDial::DirectionDial(double full_angle_deg, QWidget* parent)
     : QWidget(parent), full_angle_deg_(full_angle_deg) {
     setCursor(Qt::CrossCursor);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Maximum);  // in a low window it gives way
     keep_keys_for_canvas(this);
     keep_own_keys(this, {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_Home});
 }

@@ -22,7 +22,7 @@ class DirectionDial : public QWidget {
     void set(double angle_deg, double azimuth_deg);
 
     QSize sizeHint() const override { return {104, 104}; }
-    QSize minimumSizeHint() const override { return {88, 88}; }
+    QSize minimumSizeHint() const override { return {88, 58}; }
 
   Q_SIGNALS:
     void dragged(double angle_deg, double azimuth_deg);

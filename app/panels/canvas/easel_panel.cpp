@@ -3,6 +3,7 @@
 #include "panels/canvas/illuminant_box.hpp"
 #include "panels/canvas/light_dial.hpp"
 #include "panels/canvas/tilt_dial.hpp"
+#include "panels/parts/labels.hpp"
 #include "panels/parts/section.hpp"
 
 #include <cmath>
@@ -41,6 +42,17 @@ QDoubleSpinBox* azimuth_box(const char* name, const QString& words) {
     auto* box = degrees_box(name, words, 0.0, kFullTurn_deg - 1.0);
     box->setWrapping(true);
     return box;
+}
+
+/// The heading on the left, and as wide as there is room, what it is of.
+QWidget* headed_row(const QString& words, QWidget* value) {
+    auto* widget = new QWidget;
+    auto* row = new QHBoxLayout(widget);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    row->addWidget(heading(words));
+    row->addWidget(value, 1);
+    return widget;
 }
 
 /// What the drying slider stops at.
@@ -148,17 +160,15 @@ void EaselPanel::tell_light() {
 }
 
 QWidget* EaselPanel::illuminant_row() {
-    auto* widget = new QWidget;
-    auto* layout = section(widget, tr("Seen in"));
-    layout->setSpacing(3);
     illuminant_->setObjectName(QStringLiteral("illuminant"));
-    layout->addWidget(illuminant_);
-    return widget;
+    let_shrink(illuminant_);
+    return headed_row(tr("Seen in"), illuminant_);
 }
 
 QWidget* EaselPanel::drying_row() {
     auto* widget = new QWidget;
-    auto* layout = section(widget, tr("Drying"));
+    auto* layout = new QVBoxLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(3);
     drying_->setObjectName(QStringLiteral("drying"));
     drying_->setRange(0, static_cast<int>(std::size(kDryingStops)) - 1);
@@ -166,8 +176,9 @@ QWidget* EaselPanel::drying_row() {
     drying_->setToolTip(tr("How fast wet paint dries; D dries it at once"));
     keep_keys_for_canvas(drying_);
     drying_reading_->setObjectName(QStringLiteral("reading"));
+    drying_reading_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    layout->addWidget(headed_row(tr("Drying"), drying_reading_));
     layout->addWidget(drying_);
-    layout->addWidget(drying_reading_);
     return widget;
 }
 

@@ -63,8 +63,7 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     list_->setItemDelegate(new StepDelegate(list_));
     list_->setUniformItemSizes(true);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    keep_keys_for_canvas(list_);
-    keep_own_keys(list_, {Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Return});
+    take_keys_of_list(list_);
     memory_->setObjectName(QStringLiteral("reading"));
     memory_->setToolTip(
         tr("What the steps take; \"Memory for undo\" in the Edit menu says how much "

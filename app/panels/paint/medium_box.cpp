@@ -92,6 +92,26 @@ void MediumBox::show_medium(const QString& name) {
     setCurrentIndex(findData(name));
 }
 
+QStringList MediumBox::media() const {
+    QStringList names;
+    for (int item = 0; item < count(); ++item)
+        if (itemData(item).isValid()) names += itemData(item).toString();
+    return names;
+}
+
+QString MediumBox::shown_medium(const QString& name) const {
+    return itemText(findData(name));
+}
+
+QString MediumBox::sentence(const QString& name) const {
+    return itemData(findData(name), kSentenceRole).toString();
+}
+
+void MediumBox::choose(const QString& name) {
+    show_medium(name);
+    Q_EMIT medium_chosen(name);
+}
+
 QImage MediumBox::swatch(const QString& name) const {
     return itemData(findData(name), kSwatchRole).value<QImage>();
 }

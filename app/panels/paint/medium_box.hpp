@@ -18,6 +18,14 @@ class MediumBox : public QComboBox {
 
     /// Without a signal.
     void show_medium(const QString& name);
+    /// By the names that they are kept under.
+    QStringList media() const;
+    QString shown_medium(const QString& name) const;
+    QString sentence(const QString& name) const;  ///< what the medium is like
+
+    /// As a click on it in the list does.
+    void choose(const QString& name);
+
     QImage swatch(const QString& name) const;
     void set_swatch(const QString& name, const QImage& image);
 

@@ -5,10 +5,10 @@
 #include "panels/paint/drawdown_picture.hpp"
 #include "panels/paint/paint_words.hpp"
 #include "panels/paint/swatch_colours.hpp"
+#include "panels/parts/choice_list.hpp"
 #include "panels/parts/section.hpp"
 
 #include <QEvent>
-#include <QListWidget>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
@@ -70,25 +70,20 @@ QString PaintPanel::words_of(const QListWidgetItem& item, const Colours& colours
 }
 
 PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
-    : QWidget(parent), list_(new QListWidget), shown_(paints.size()) {
+    : QWidget(parent), paints_(paints), list_(new ChoiceList), shown_(paints.size()) {
     list_->setObjectName(QStringLiteral("paints"));
     list_->setAccessibleName(tr("Paint"));
     list_->setIconSize(kIcon);
     list_->setMinimumHeight(kListHeight);
-    list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list_->setTextElideMode(Qt::ElideRight);
-    keep_keys_for_canvas(list_);
+    list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
     for (const PaintEntry& paint : paints) {
         auto* item = new QListWidgetItem(paint.name, list_);
         item->setData(Qt::UserRole, paint.pigment);
     }
-    const auto choose = [this](QListWidgetItem* item) {
+    connect(list_, &ChoiceList::taken, this, [this](const QListWidgetItem* item) {
         Q_EMIT paint_chosen(item->data(Qt::UserRole).toString());
-    };
-    connect(list_, &QListWidget::itemClicked, this, choose);
-    connect(list_, &QListWidget::itemActivated, this, choose);
-    section(this, tr("Paint"))->addWidget(list_);
+    });
+    section(this, tr("Paint"))->addWidget(list_, 1);
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
             &PaintPanel::draw_icons);
 }

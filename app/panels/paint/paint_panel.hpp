@@ -10,10 +10,11 @@
 #include <QString>
 #include <QWidget>
 
-class QListWidget;
 class QListWidgetItem;
 
 namespace pastoso::panels {
+
+class ChoiceList;
 
 struct PaintEntry {
     QString pigment;  ///< Colour Index name, empty for the medium alone
@@ -30,6 +31,11 @@ class PaintPanel : public QWidget {
 
     /// Shows what the brush is dipped in, without a signal; nothing when it is from no tube.
     void show_paint(const QString& pigment);
+
+    const std::vector<PaintEntry>& paints() const { return paints_; }
+
+    /// As a click on it does.
+    void choose(const QString& pigment) { Q_EMIT paint_chosen(pigment); }
 
   Q_SIGNALS:
     /// Also when the same paint is chosen again, which means a fresh dip.
@@ -50,8 +56,9 @@ class PaintPanel : public QWidget {
     void draw_icons();
     static QIcon icon_of(const Colours& colours, double pixel_ratio);
 
+    std::vector<PaintEntry> paints_;
     tools::SwatchView view_;
-    QListWidget* list_ = nullptr;
+    ChoiceList* list_ = nullptr;
     std::vector<Colours> shown_;  ///< of each row
 };
 

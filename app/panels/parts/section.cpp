@@ -1,14 +1,21 @@
 #include "panels/parts/section.hpp"
 
+#include "panels/parts/labels.hpp"
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include <QAbstractItemView>
 #include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListView>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,7 +23,31 @@
 namespace pastoso::panels {
 namespace {
 
-/// Tells Qt that a key is no shortcut here.
+/// Whether a list moves by this key, or to a name that begins so.
+bool is_list_key(const QKeyEvent& key) {
+    constexpr std::array kMoving = {Qt::Key_Up,   Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown,
+                                    Qt::Key_Home, Qt::Key_End,  Qt::Key_Return, Qt::Key_Enter};
+    const Qt::KeyboardModifiers others = key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    if (others != Qt::NoModifier) return false;
+    if (std::find(kMoving.begin(), kMoving.end(), key.key()) != kMoving.end())
+        return !key.modifiers().testFlag(Qt::ShiftModifier);
+    return !key.text().isEmpty() && key.text().front().isLetter();
+}
+
+/// Tells Qt that keys which move in lists are no shortcuts here.
+class ListKeys : public QObject {
+  public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* list, QEvent* event) override {
+        if (event->type() != QEvent::ShortcutOverride) return QObject::eventFilter(list, event);
+        const bool own = is_list_key(*static_cast<QKeyEvent*>(event));
+        if (own) event->accept();
+        return own;
+    }
+};
+
+/// The same of keys that are named.
 class OwnKeys : public QObject {
   public:
     OwnKeys(QWidget* widget, std::vector<QKeyCombination> keys)
@@ -37,14 +68,36 @@ class OwnKeys : public QObject {
 
 }  // namespace
 
-QVBoxLayout* section(QWidget* panel, const QString& heading) {
+QVBoxLayout* section(QWidget* panel, const QString& words, const std::vector<QToolButton*>& buttons) {
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
-    auto* label = new QLabel(heading);
-    label->setObjectName(QStringLiteral("heading"));
-    column->addWidget(label);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(2);
+    head->addWidget(heading(words));
+    head->addStretch(1);
+    for (QToolButton* button : buttons)
+        head->addWidget(button);
+    column->addLayout(head);
     return column;
+}
+
+QScrollArea* scrolled(QWidget* content) {
+    auto* area = new QScrollArea;
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(content);
+    area->setMinimumWidth(content->minimumSizeHint().width() +
+                          area->verticalScrollBar()->sizeHint().width());
+    return area;
+}
+
+void let_shrink(QComboBox* box) {
+    constexpr int kFewestLetters = 6;
+    box->setMinimumContentsLength(kFewestLetters);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
 }
 
 void keep_keys_for_canvas(QWidget* widget) {
@@ -55,12 +108,25 @@ void keep_own_keys(QWidget* widget, const std::vector<QKeyCombination>& keys) {
     widget->installEventFilter(new OwnKeys(widget, keys));
 }
 
+void take_keys_of_list(QAbstractItemView* list) {
+    list->setFocusPolicy(Qt::StrongFocus);
+    list->installEventFilter(new ListKeys(list));
+}
+
 QToolButton* action_button(QAction* action) {
     auto* button = new QToolButton;
     button->setDefaultAction(action);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     keep_keys_for_canvas(button);
+    return button;
+}
+
+QToolButton* small_button(QAction* action) {
+    QToolButton* button = action_button(action);
+    button->setProperty("small", true);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     return button;
 }
 

@@ -16,8 +16,8 @@ StatusReadings::StatusReadings(QWidget* parent) : QWidget(parent) {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     pointer_ = add(17, tr("The pen's place on the canvas, from its upper left corner"));
-    activity_ = add(26, tr("Tiles of 64 x 64 cells in which the paint still moves, and how much of its "
-                           "time computing them takes"));
+    activity_ = add(26, tr("Whether paint still moves, and how much of its time this computer works "
+                           "on it"));
     activity_->setObjectName(QStringLiteral("activity"));
     speed_ = add(
         13, tr("Paint time against the clock: less than you set where there is more wet paint than this "
@@ -91,8 +91,7 @@ void StatusReadings::show_status(const session::Status& status) {
     }
     activity_->setText(status.awake_tiles == 0
                            ? tr("paint at rest")
-                           : tr("%n tile(s) moving, %1 % load", nullptr, status.awake_tiles)
-                                 .arg(std::lround(100.0 * status.load)));
+                           : tr("paint moving, %1 % busy").arg(std::lround(100.0 * status.load)));
     const double speed = status.paint_per_wall;
     speed_->setText(tr("%1 × time").arg(speed, 0, 'f', speed < 0.095 ? 3 : 2));
 }

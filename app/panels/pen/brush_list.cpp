@@ -17,16 +17,15 @@ int entry_of(const QListWidgetItem* item) {
 
 }  // namespace
 
-BrushList::BrushList(QWidget* parent) : QListWidget(parent) {
+QString shown_name(const BrushEntry& entry) {
+    return entry.own ? entry.name : appearance::shown_name(entry.name);
+}
+
+BrushList::BrushList(QWidget* parent) : ChoiceList(parent) {
     setIconSize(kThumbnailSize);
-    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setTextElideMode(Qt::ElideRight);
-    const auto take = [this](QListWidgetItem* item) {
+    connect(this, &ChoiceList::taken, this, [this](const QListWidgetItem* item) {
         if (entry_of(item) != kNoEntry) Q_EMIT entry_clicked(entry_of(item));
-    };
-    connect(this, &QListWidget::itemClicked, this, take);
-    connect(this, &QListWidget::itemActivated, this, take);
+    });
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this, [this] {
         for (QListWidgetItem* item : items_)
             draw_thumbnail(*item);
@@ -46,7 +45,7 @@ void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
 }
 
 void BrushList::add_entry(const BrushEntry& entry) {
-    const QString shown = entry.own ? entry.name : appearance::shown_name(entry.name);
+    const QString shown = shown_name(entry);
     auto* item = new QListWidgetItem(shown, this);
     item->setData(kEntryRole, static_cast<int>(items_.size()));
     item->setData(kNameRole, entry.name);
@@ -96,18 +95,18 @@ void BrushList::draw_thumbnail(QListWidgetItem& item) {
 }
 
 void BrushList::showEvent(QShowEvent* event) {
-    QListWidget::showEvent(event);
+    ChoiceList::showEvent(event);
     scroll_to_current();
 }
 
 void BrushList::resizeEvent(QResizeEvent* event) {
-    QListWidget::resizeEvent(event);
+    ChoiceList::resizeEvent(event);
     scroll_to_current();
 }
 
 /// A row that is painted is seen; while the window is still being laid out, none is.
 void BrushList::paintEvent(QPaintEvent* event) {
-    QListWidget::paintEvent(event);
+    ChoiceList::paintEvent(event);
     ask_for_thumbnails();
 }
 

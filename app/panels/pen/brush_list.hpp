@@ -1,9 +1,10 @@
 // The tools by family, each with its thumbnail.
 #pragma once
 
+#include "panels/parts/choice_list.hpp"
+
 #include <vector>
 
-#include <QListWidget>
 #include <QString>
 
 namespace pastoso::panels {
@@ -17,10 +18,13 @@ struct BrushEntry {
     friend bool operator==(const BrushEntry&, const BrushEntry&) = default;
 };
 
+/// As the list names it.
+QString shown_name(const BrushEntry& entry);
+
 /// Size of the thumbnails, in pixels of the layout.
 inline constexpr QSize kThumbnailSize(84, 30);
 
-class BrushList : public QListWidget {
+class BrushList : public ChoiceList {
     Q_OBJECT
   public:
     explicit BrushList(QWidget* parent = nullptr);

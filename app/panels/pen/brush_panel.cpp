@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
@@ -48,15 +49,17 @@ using tools::SteadyMode;
 
 BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent)
     : QWidget(parent), list_(new BrushList) {
-    keep_keys_for_canvas(list_);
     list_->setMinimumHeight(kListHeight);
+    list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
     connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
     connect(list_, &BrushList::thumbnail_wanted, this, [this](int entry) {
         Q_EMIT thumbnail_wanted(brushes_[static_cast<std::size_t>(entry)].name);
     });
-    auto* column = section(this, tr("Brush"));
+    std::vector<QToolButton*> own_buttons;
+    for (QAction* action : own_actions)
+        own_buttons.push_back(small_button(action));
+    auto* column = section(this, tr("Brush"), own_buttons);
     column->addWidget(list_, 1);
-    column->addWidget(icon_row(own_actions));
     column->addWidget(make_width_row());
     column->addWidget(make_stabiliser_rows());
 }
@@ -106,6 +109,7 @@ QWidget* BrushPanel::make_stabiliser_rows() {
     steady_mode_->addItem(tr("off"), static_cast<int>(SteadyMode::Off));
     steady_mode_->addItem(tr("lags behind"), static_cast<int>(SteadyMode::Time));
     steady_mode_->addItem(tr("pulled on a string"), static_cast<int>(SteadyMode::String));
+    let_shrink(steady_mode_);
     keep_keys_for_canvas(steady_mode_);
     strength_ = new QSlider(Qt::Horizontal);
     strength_->setObjectName(QStringLiteral("steady_strength"));
@@ -143,7 +147,8 @@ void BrushPanel::write_steadying() {
     const QSignalBlocker no_mode_signal(steady_mode_);
     const QSignalBlocker no_strength_signal(strength_);
     steady_mode_->setCurrentIndex(steady_mode_->findData(static_cast<int>(steadying_.mode)));
-    strength_->setEnabled(steadying_.mode != SteadyMode::Off);
+    strength_->setVisible(steadying_.mode != SteadyMode::Off);
+    strength_reading_->setVisible(steadying_.mode != SteadyMode::Off);
     if (steadying_.mode == SteadyMode::String) {
         strength_->setRange(1, static_cast<int>(tools::kLongestString_mm) * kPlacesPerMm);
         strength_->setValue(static_cast<int>(std::lround(steadying_.string_mm * kPlacesPerMm)));

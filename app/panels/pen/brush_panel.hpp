@@ -35,6 +35,10 @@ class BrushPanel : public QWidget {
     const tools::Steadying& steadying() const { return steadying_; }
 
     BrushList& list() { return *list_; }
+    const std::vector<BrushEntry>& brushes() const { return brushes_; }
+
+    /// As a click on it does.
+    void take(const BrushEntry& brush) { Q_EMIT brush_taken(brush.name, brush.width_mm); }
 
     /// Takes the brush so many places on in the list, around its ends.
     void take_next(int places);

@@ -1,0 +1,49 @@
+#include "panels/parts/choice_list.hpp"
+
+#include "panels/parts/section.hpp"
+
+#include <algorithm>
+
+#include <QKeyEvent>
+#include <QStyledItemDelegate>
+
+namespace pastoso::panels {
+namespace {
+
+/// So much of a row's width is not for words and picture: the style sheet's edges of an entry.
+constexpr int kRowEdges_px = 8;
+
+/// A row as high as its words are in the width of the list.
+class WrappedRow : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        const auto* list = qobject_cast<const QListView*>(option.widget);
+        QStyleOptionViewItem row = option;
+        if (list != nullptr)
+            row.rect = QRect(0, 0, std::max(1, list->viewport()->width() - kRowEdges_px), 1);
+        return QStyledItemDelegate::sizeHint(row, index);
+    }
+};
+
+}  // namespace
+
+ChoiceList::ChoiceList(QWidget* parent) : QListWidget(parent) {
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWordWrap(true);
+    setResizeMode(QListView::Adjust);
+    setItemDelegate(new WrappedRow(this));
+    take_keys_of_list(this);
+    connect(this, &QListWidget::itemClicked, this, &ChoiceList::taken);
+    connect(this, &QListWidget::itemActivated, this, &ChoiceList::taken);
+}
+
+void ChoiceList::keyPressEvent(QKeyEvent* event) {
+    const QListWidgetItem* before = currentItem();
+    QListWidget::keyPressEvent(event);
+    if (currentItem() != nullptr && currentItem() != before) Q_EMIT taken(currentItem());
+}
+
+}  // namespace pastoso::panels

@@ -1,0 +1,69 @@
+#include "panels/parts/tool_bar.hpp"
+
+#include "panels/parts/section.hpp"
+
+#include <utility>
+
+#include <QEvent>
+#include <QLabel>
+#include <QLayout>
+#include <QToolButton>
+
+namespace pastoso::panels {
+
+ToolBar::ToolBar(const QString& title, QWidget* parent) : QToolBar(title, parent) {}
+
+QToolButton* ToolBar::add_button(QAction* action) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    keep_keys_for_canvas(button);
+    addWidget(button);
+    return button;
+}
+
+QAction* ToolBar::add_word(const QString& word) {
+    return addWidget(new QLabel(word));
+}
+
+void ToolBar::say(std::vector<QToolButton*> buttons) {
+    words_.push_back({.buttons = std::move(buttons)});
+}
+
+void ToolBar::say(QAction* word) {
+    words_.push_back({.buttons = {}, .word = word});
+}
+
+void ToolBar::show(const Words& words, bool shown) {
+    if (words.word != nullptr) words.word->setVisible(shown);
+    for (QToolButton* button : words.buttons)
+        button->setToolButtonStyle(shown ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+}
+
+void ToolBar::fit_words() {
+    if (fitting_) return;
+    fitting_ = true;
+    for (const Words& words : words_)
+        show(words, false);
+    for (const Words& words : words_) {
+        show(words, true);
+        layout()->invalidate();
+        if (layout()->sizeHint().width() > width()) show(words, false);
+    }
+    layout()->invalidate();
+    fitting_ = false;
+}
+
+void ToolBar::resizeEvent(QResizeEvent* event) {
+    fit_words();
+    QToolBar::resizeEvent(event);
+}
+
+/// A box in it may need more room for what it shows now.
+bool ToolBar::event(QEvent* event) {
+    const bool handled = QToolBar::event(event);
+    if (event->type() == QEvent::LayoutRequest) fit_words();
+    return handled;
+}
+
+}  // namespace pastoso::panels

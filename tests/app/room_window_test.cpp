@@ -1,0 +1,181 @@
+// The window on a small screen, in every language: nothing is cut, nothing lies on something else.
+#include "app/window_fixture.hpp"
+#include "appearance/shown_time.hpp"
+#include "main/program/language.hpp"
+#include "main/window_parts.hpp"
+#include "panels/parts/gallery.hpp"
+#include "panels/pen/brush_list.hpp"
+#include "start/start_page.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLayout>
+#include <QScrollArea>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+
+/// 1280 x 800 pixels at 125 percent; a bar of the desktop and the window's title take some of the height.
+constexpr QSize kSmallScreen(1024, 640);
+constexpr int kBars = 60;
+
+class RoomWindow : public WindowTest {
+  protected:
+    void TearDown() override {
+        main::speak(QStringLiteral("en"));
+        WindowTest::TearDown();
+    }
+
+    void open_small(const char* language) {
+        main::speak(QString::fromLatin1(language));
+        open_another();
+        action(Command::Pause)->trigger();
+        window().resize(kSmallScreen);
+        wait_for([this] { return window().size() == kSmallScreen; });
+        QApplication::processEvents();
+    }
+
+    static std::string words_for(const QWidget& widget) {
+        return std::string(widget.metaObject()->className()) + " " + widget.objectName().toStdString();
+    }
+
+    /// What is laid out in it lies within it and beside one another.
+    static void expect_nothing_cut(const QWidget& content) {
+        QList<QWidget*> parents = content.findChildren<QWidget*>();
+        parents.push_back(const_cast<QWidget*>(&content));
+        for (const QWidget* parent : parents) {
+            if (parent->layout() == nullptr || !parent->isVisible()) continue;
+            QList<const QWidget*> seen;
+            for (const QWidget* one :
+                 parent->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+                if (!one->isVisible() || one->isWindow() || one->size().isEmpty()) continue;
+                EXPECT_TRUE(parent->rect().contains(one->geometry()))
+                    << words_for(*one) << " in " << words_for(*parent);
+                for (const QWidget* other : seen)
+                    EXPECT_FALSE(other->geometry().intersects(one->geometry()))
+                        << words_for(*one) << " on " << words_for(*other);
+                seen.push_back(one);
+            }
+        }
+    }
+};
+
+constexpr const char* kLanguages[] = {"en", "ja", "sv", "zh_TW"};
+
+TEST_F(RoomWindow, FitsASmallScreenInEveryLanguage) {
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        open_small(language);
+        EXPECT_LE(window().minimumSizeHint().width(), kSmallScreen.width());
+        EXPECT_LE(window().minimumSizeHint().height(), kSmallScreen.height() - kBars);
+        EXPECT_TRUE(window().rect().contains(window().statusBar()->geometry()));
+        const auto* layers = window().findChild<QWidget*>(QStringLiteral("layer_list"))->parentWidget();
+        EXPECT_FALSE(layers->visibleRegion().isEmpty());
+        EXPECT_EQ(layers->visibleRegion().boundingRect(), layers->rect()) << "its buttons are seen";
+        for (const QScrollArea* area : window().findChildren<QScrollArea*>()) {
+            if (!area->isVisible()) continue;
+            EXPECT_LE(area->widget()->width(), area->viewport()->width());
+            expect_nothing_cut(*area->widget());
+        }
+    }
+}
+
+TEST_F(RoomWindow, EveryButtonOfTheToolBarIsThereAndSaysMoreWhereThereIsRoom) {
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        open_small(language);
+        const auto* bar = window().findChild<QToolBar*>(QStringLiteral("tool_bar"));
+        const QAction* toggle = action(Command::TurnWithStroke);
+        const QToolButton* shown = nullptr;
+        for (const auto* button : bar->findChildren<QToolButton*>()) {
+            if (button->defaultAction() == nullptr) continue;
+            EXPECT_TRUE(button->isVisible()) << button->text().toStdString();
+            if (button->defaultAction() == toggle) shown = button;
+        }
+        ASSERT_NE(shown, nullptr);
+        window().resize(1600, 800);
+        wait_for([this] { return window().width() == 1600; });
+        QApplication::processEvents();
+        EXPECT_EQ(shown->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    }
+}
+
+TEST_F(RoomWindow, TheStartPageShowsAllItsCanvases) {
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        open_small(language);
+        for (const QSize& size : {kSmallScreen, QSize(1280, 800), QSize(1500, 900)}) {
+            window().resize(size);
+            wait_for([&] { return window().size() == size; });
+            parts().start.show_page();
+            QApplication::processEvents();
+            const auto* page = window().findChild<start::StartPage*>();
+            const auto* area = page->findChild<QScrollArea*>();
+            EXPECT_LE(area->widget()->width(), area->viewport()->width());
+            expect_nothing_cut(*area->widget());
+            auto* sizes = page->findChild<panels::Gallery*>(QStringLiteral("canvas_sizes"));
+            for (int row = 0; row < sizes->count(); ++row)
+                EXPECT_TRUE(sizes->viewport()->rect().contains(
+                    sizes->visualRect(sizes->model()->index(row, 0))))
+                    << row;
+        }
+    }
+}
+
+TEST_F(RoomWindow, NoNameOfAToolOrAPaintIsCut) {
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        open_small(language);
+        for (QListWidget* list : {static_cast<QListWidget*>(window().findChild<panels::BrushList*>()),
+                                  window().findChild<QListWidget*>(QStringLiteral("paints"))}) {
+            list->doItemsLayout();
+            for (int row = 0; row < list->count(); ++row) {
+                const QListWidgetItem* item = list->item(row);
+                if (item->icon().isNull()) continue;  // the heading of a family has the whole row
+                const QRect place = list->visualItemRect(item);
+                constexpr int kEdges = 20;
+                const int width = place.width() - list->iconSize().width() - kEdges;
+                const QRect words = QFontMetrics(list->font())
+                                        .boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap,
+                                                      item->text());
+                EXPECT_LE(words.height(), place.height()) << item->text().toStdString();
+                EXPECT_LE(place.right(), list->viewport()->width());
+            }
+        }
+    }
+}
+
+TEST_F(RoomWindow, TheTabsOfAllPanelsKeepTheirNames) {
+    for (QDockWidget* dock : window().findChildren<QDockWidget*>())
+        dock->show();
+    QApplication::processEvents();
+    int bars = 0;
+    for (const QTabBar* bar : window().findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (bar->count() == 0) continue;
+        ++bars;
+        for (int tab = 0; tab < bar->count(); ++tab)
+            EXPECT_GT(bar->tabRect(tab).width(),
+                      bar->fontMetrics().horizontalAdvance(bar->tabText(tab)))
+                << bar->tabText(tab).toStdString();
+    }
+    EXPECT_GT(bars, 0);
+}
+
+TEST_F(RoomWindow, TimesHaveNoLettersOfOtherLanguages) {
+    for (const char* language : kLanguages) {
+        main::speak(QString::fromLatin1(language));
+        const QString words = appearance::shown_time(QTime(23, 37));
+        EXPECT_FALSE(words.contains(QLatin1Char('B'))) << words.toStdString();
+        EXPECT_TRUE(words.contains(QStringLiteral("37"))) << words.toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace pastoso::tests
