@@ -51,33 +51,49 @@ int fit_of_word(const QString& typed, const QStringList& words, const QStringLis
     return begins_one(typed, hint) ? kHint : 0;
 }
 
-}  // namespace
-
-int fit(const QString& typed, const CommandText& text) {
-    const QStringList words = words_in(plain_words(text.words));
-    const QStringList menu = words_in(plain_words(text.menu));
-    const QStringList hint = words_in(words_of(text.hint));
+/// Nothing where a word fits nowhere.
+template <class FitOfWord>
+int sum_of_words(const QString& typed, const FitOfWord& fit_of) {
     int sum = 0;
     for (const QString& word : words_in(typed)) {
-        const int found = fit_of_word(word, words, menu, hint);
+        const int found = fit_of(word);
         if (found == 0) return 0;
         sum += found;
     }
     return sum;
 }
 
-std::vector<Command> find_commands(const QString& typed) {
-    struct Found {
-        Command command;
-        int fit;
-    };
+}  // namespace
+
+int fit(const QString& typed, const CommandText& text) {
+    const QStringList words = words_in(plain_words(text.words));
+    const QStringList menu = words_in(plain_words(text.menu));
+    const QStringList hint = words_in(words_of(text.hint));
+    return sum_of_words(typed,
+                        [&](const QString& word) { return fit_of_word(word, words, menu, hint); });
+}
+
+/// Letters put together of beginnings would find half of the box of paints.
+int fit_of_name(const QString& typed, const QString& name, const QString& kind) {
+    const QStringList names = words_in(name), kinds = words_in(kind);
+    return sum_of_words(typed, [&](const QString& word) {
+        if (begins_one(word, names)) return names.front().startsWith(word) ? kFirstWord : kWord;
+        return begins_one(word, kinds) ? kMenu : 0;
+    });
+}
+
+std::vector<Found> find_with_fit(const QString& typed) {
     std::vector<Found> found;
     for (const CommandText& text : command_list())
         if (const int fits = fit(typed, text); fits > 0) found.push_back({text.command, fits});
     std::stable_sort(found.begin(), found.end(),
                      [](const Found& a, const Found& b) { return a.fit > b.fit; });
+    return found;
+}
+
+std::vector<Command> find_commands(const QString& typed) {
     std::vector<Command> commands;
-    for (const Found& one : found)
+    for (const Found& one : find_with_fit(typed))
         commands.push_back(one.command);
     return commands;
 }

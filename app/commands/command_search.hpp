@@ -14,7 +14,16 @@ namespace pastoso::commands {
 /// command's own words counts most.
 int fit(const QString& typed, const CommandText& text);
 
+/// The same of a thing that has a name: every word must begin a word of the name or of what kind it is.
+int fit_of_name(const QString& typed, const QString& name, const QString& kind);
+
+struct Found {
+    Command command;
+    int fit;
+};
+
 /// All that fit, the best first, in the order of the menus where they fit alike.
+std::vector<Found> find_with_fit(const QString& typed);
 std::vector<Command> find_commands(const QString& typed);
 
 }  // namespace pastoso::commands

@@ -11,7 +11,7 @@ class CommandDelegate : public QStyledItemDelegate {
     static constexpr int kRowHeight = 28;
 
     /// Of the model; the words are its display role. A row that is not enabled is drawn faint.
-    enum Role { kCommand = Qt::UserRole + 1, kMenu, kKeys, kChecked, kHint };
+    enum Role { kCommand = Qt::UserRole + 1, kMenu, kKeys, kChecked, kHint, kOffer };
 
     using QStyledItemDelegate::QStyledItemDelegate;
 

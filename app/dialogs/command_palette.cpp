@@ -5,6 +5,7 @@
 #include "dialogs/command_delegate.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <QAction>
@@ -23,8 +24,7 @@ using commands::Command;
 constexpr int kWidth = 560, kRows = 10, kFromTop = 48;
 
 /// The latest, then the others in the order of the menus.
-std::vector<Command> listed(const commands::CommandRegistry& commands, const QString& typed) {
-    if (!typed.trimmed().isEmpty()) return commands::find_commands(typed);
+std::vector<Command> all_of(const commands::CommandRegistry& commands) {
     std::vector<Command> all = commands.recent();
     for (const commands::CommandText& text : commands::command_list())
         if (std::find(all.begin(), all.end(), text.command) == all.end()) all.push_back(text.command);
@@ -69,6 +69,7 @@ CommandPalette::CommandPalette(const commands::CommandRegistry& commands, QWidge
 }
 
 void CommandPalette::open_over(const QWidget& place) {
+    if (offers_of_) offers_ = offers_of_();
     typed_->clear();
     list();
     move(place.mapToGlobal(QPoint((place.width() - kWidth) / 2, kFromTop)));
@@ -76,18 +77,45 @@ void CommandPalette::open_over(const QWidget& place) {
     typed_->setFocus(Qt::PopupFocusReason);
 }
 
-/// What can be given now stands above what cannot.
 void CommandPalette::list() {
     model_->clear();
-    std::vector<Command> found = listed(commands_, typed_->text());
-    std::stable_partition(found.begin(), found.end(),
-                          [this](Command command) { return commands_.action(command)->isEnabled(); });
-    for (const Command command : found)
-        add(command);
+    if (typed_->text().trimmed().isEmpty()) {
+        std::vector<Command> all = all_of(commands_);
+        std::stable_partition(all.begin(), all.end(), [this](Command command) {
+            return commands_.action(command)->isEnabled();
+        });
+        for (const Command command : all)
+            add(command);
+    } else {
+        list_found();
+    }
     list_->setCurrentIndex(model_->index(0, 0));
     list_->scrollToTop();
     fit_height();
     show_hint();
+}
+
+/// What can be given now stands above what cannot, and what fits better above what fits worse.
+void CommandPalette::list_found() {
+    struct Row {
+        bool can = true;
+        int fit = 0;
+        std::function<void()> add;
+    };
+    std::vector<Row> rows;
+    for (const commands::Found& found : commands::find_with_fit(typed_->text()))
+        rows.push_back({commands_.action(found.command)->isEnabled(), found.fit,
+                        [this, command = found.command] { add(command); }});
+    for (std::size_t i = 0; i < offers_.size(); ++i) {
+        const Offer& offer = offers_[i];
+        const int fit = commands::fit_of_name(typed_->text(), offer.words, offer.kind);
+        if (fit > 0) rows.push_back({true, fit, [this, i] { add(i); }});
+    }
+    std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+        return std::pair(a.can, a.fit) > std::pair(b.can, b.fit);
+    });
+    for (const Row& row : rows)
+        row.add();
 }
 
 /// As tall as what was found, up to so many rows.
@@ -112,9 +140,17 @@ void CommandPalette::add(Command command) {
     model_->appendRow(item);
 }
 
+void CommandPalette::add(std::size_t offer) {
+    auto* item = new QStandardItem(offers_[offer].words);
+    item->setData(static_cast<int>(offer), CommandDelegate::kOffer);
+    item->setData(offers_[offer].kind, CommandDelegate::kMenu);
+    item->setData(offers_[offer].hint, CommandDelegate::kHint);
+    model_->appendRow(item);
+}
+
 void CommandPalette::show_hint() {
     const QModelIndex row = list_->currentIndex();
-    if (!row.isValid()) return hint_->setText(tr("No command of that name. Fewer letters find more."));
+    if (!row.isValid()) return hint_->setText(tr("Nothing of that name. Fewer letters find more."));
     const QString hint = row.data(CommandDelegate::kHint).toString();
     const bool can = row.flags().testFlag(Qt::ItemIsEnabled);
     hint_->setText(
@@ -125,6 +161,11 @@ void CommandPalette::show_hint() {
 void CommandPalette::run() {
     const QModelIndex row = list_->currentIndex();
     if (!row.isValid() || !row.flags().testFlag(Qt::ItemIsEnabled)) return;
+    if (const QVariant offer = row.data(CommandDelegate::kOffer); offer.isValid()) {
+        hide();
+        offers_[static_cast<std::size_t>(offer.toInt())].take();
+        return;
+    }
     QAction* action =
         commands_.action(static_cast<Command>(row.data(CommandDelegate::kCommand).toInt()));
     hide();

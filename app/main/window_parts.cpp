@@ -36,7 +36,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       again(studio, files, light),
       paints(studio, panels.colours),
       memory(studio, panels, light, undo, well, start),
-      keys(studio),
+      keys(studio, panels),
       colours(studio),
       preferences(studio, undo, colours),
       place(studio, panels.readings),

@@ -65,6 +65,22 @@ TEST_F(PaletteWindow, AFewLettersAndEnterGiveACommand) {
     EXPECT_EQ(layers(), before + 1);
 }
 
+TEST_F(PaletteWindow, FindsToolsPaintsAndMedia) {
+    const auto take = [this](const char* name) {
+        open();
+        type(name);
+        key(Qt::Key_Return);
+        EXPECT_FALSE(palette().isVisible());
+    };
+    take("fan 26");
+    EXPECT_EQ(studio().easel().hand().brush, "Fan 26");
+    const document::PaintRecipe paint = studio().easel().hand().paint;
+    take("titanium w");
+    EXPECT_FALSE(studio().easel().hand().paint == paint);
+    take("stand oil");
+    EXPECT_EQ(studio().easel().hand().medium.name, "stand oil");
+}
+
 TEST_F(PaletteWindow, HoldsEveryCommandWithItsMenuAndKeys) {
     open();
     EXPECT_EQ(list().model()->rowCount(), static_cast<int>(commands::command_list().size()));
@@ -126,7 +142,7 @@ TEST_F(PaletteWindow, NothingFoundIsSaid) {
     open();
     type("zzz");
     EXPECT_EQ(list().model()->rowCount(), 0);
-    EXPECT_TRUE(palette().findChild<QLabel*>("reading")->text().startsWith("No command"));
+    EXPECT_TRUE(palette().findChild<QLabel*>("reading")->text().startsWith("Nothing of that name"));
     key(Qt::Key_Down);
     key(Qt::Key_Return);
     EXPECT_TRUE(palette().isVisible());

@@ -5,6 +5,7 @@
 #include "core/user_data.hpp"
 #include "dialogs/command_palette.hpp"
 #include "dialogs/keys_dialog.hpp"
+#include "main/program/findable.hpp"
 #include "tools/key_settings.hpp"
 
 #include <algorithm>
@@ -66,10 +67,11 @@ KeyBindings bindings_of(const tools::KeySettings& settings) {
 
 }  // namespace
 
-KeyCommands::KeyCommands(Studio& studio)
+KeyCommands::KeyCommands(Studio& studio, const PanelSet& panels)
     : studio_(studio),
       palette_(new dialogs::CommandPalette(studio.commands(), &studio.window())),
       file_(studio, core::user_config_path("keys.json")) {
+    palette_->offer_also([panels] { return findable(panels); });
     studio_.commands().on(Command::FindCommand, [this](bool) { palette_->open_over(studio_.canvas()); });
     studio_.commands().on(Command::EditKeys, [this](bool) { edit(); });
 }

@@ -1,6 +1,8 @@
-// The keys of all commands: found by typing, changed by the painter, found again at the next start.
+// The keys of all commands, changed by the painter and there again at the next start; and what is found
+// by typing its name.
 #pragma once
 
+#include "main/panel_set.hpp"
 #include "main/program/remembered_file.hpp"
 #include "main/studio.hpp"
 
@@ -23,7 +25,7 @@ namespace pastoso::main {
 class KeyCommands : public QObject {
     Q_OBJECT
   public:
-    explicit KeyCommands(Studio& studio);
+    KeyCommands(Studio& studio, const PanelSet& panels);
 
     /// A file that cannot be read is told, and left as it is.
     void recall();
