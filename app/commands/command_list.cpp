@@ -223,7 +223,7 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Take the picture that you trace away")},
     CommandText{Command::FitCanvas, kView, QT_TR_NOOP("&Fit the canvas"), "Ctrl+0",
                 QT_TR_NOOP("Show the whole canvas")},
-    CommandText{Command::ActualPixels, kView, QT_TR_NOOP("&Actual pixels"), "1",
+    CommandText{Command::ActualPixels, kView, QT_TR_NOOP("&Actual pixels"), "1; Ctrl+1",
                 QT_TR_NOOP("One screen pixel for every pixel of the saved picture")},
     CommandText{Command::ZoomIn, kView, QT_TR_NOOP("Zoom &in"), "Ctrl++; Ctrl+=", QT_TR_NOOP("Closer"),
                 false, true},

@@ -140,11 +140,10 @@ void ExportDialog::make_picture_boxes() {
 /// The scale decides; the width shows what it comes to, and changes it.
 QWidget* ExportDialog::make_size_row() {
     auto* row = new QWidget;
-    scale_ =
-        add_number({"scale", tools::kLeastExportScale, tools::kMostExportScale, 4, tr(" px/cell"),
-                    tr("Pixels for a cell of the canvas: 1 as the window paints it, 2 twice as wide "
-                       "and high. The paint's surface is interpolated, not the pixels")},
-                   settings_.scale);
+    scale_ = add_number({"scale", tools::kLeastExportScale, tools::kMostExportScale, 4, tr(" ×"),
+                         tr("1 as the window paints it, 2 twice as wide and high: finer, not merely "
+                            "enlarged")},
+                        settings_.scale);
     connect(scale_, &QDoubleSpinBox::valueChanged, this, &ExportDialog::show_size);
     width_ = new QSpinBox;
     width_->setObjectName(QStringLiteral("width"));

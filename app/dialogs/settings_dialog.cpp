@@ -50,7 +50,7 @@ SettingsDialog::SettingsDialog(tools::Preferences preferences, int undo_memory_M
     pages_->setDocumentMode(true);
     pages_->addTab(make_appearance(), tr("Appearance"));
     pages_->addTab(make_colour(system_profile), tr("Colour"));
-    pages_->addTab(make_keeping(undo_memory_MiB), tr("Keeping"));
+    pages_->addTab(make_keeping(undo_memory_MiB), tr("Undo and saving"));
     pages_->addTab(make_performance(), tr("Performance"));
     pages_->addTab(make_machine(machine), tr("This machine"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
