@@ -79,6 +79,10 @@ TEST_F(RoomWindow, FitsASmallScreenInEveryLanguage) {
         const auto* layers = window().findChild<QWidget*>(QStringLiteral("layer_list"))->parentWidget();
         EXPECT_FALSE(layers->visibleRegion().isEmpty());
         EXPECT_EQ(layers->visibleRegion().boundingRect(), layers->rect()) << "its buttons are seen";
+        const auto* paints = window().findChild<QListWidget*>(QStringLiteral("paints"));
+        ASSERT_NE(paints->currentItem(), nullptr);
+        EXPECT_TRUE(paints->viewport()->rect().contains(paints->visualItemRect(paints->currentItem())))
+            << "the paint in hand is in view";
         for (const QScrollArea* area : window().findChildren<QScrollArea*>()) {
             if (!area->isVisible()) continue;
             EXPECT_LE(area->widget()->width(), area->viewport()->width());

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <QKeyEvent>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 
 namespace pastoso::panels {
@@ -36,6 +37,9 @@ ChoiceList::ChoiceList(QWidget* parent) : QListWidget(parent) {
     setResizeMode(QListView::Adjust);
     setItemDelegate(new WrappedRow(this));
     take_keys_of_list(this);
+    // What is chosen stays in view when the list becomes lower or its rows higher.
+    connect(verticalScrollBar(), &QScrollBar::rangeChanged, this,
+            [this] { scrollToItem(currentItem()); });
     connect(this, &QListWidget::itemClicked, this, &ChoiceList::taken);
     connect(this, &QListWidget::itemActivated, this, &ChoiceList::taken);
 }
