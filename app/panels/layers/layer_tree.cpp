@@ -44,7 +44,7 @@ LayerTree::LayerTree(QWidget* parent) : QTreeView(parent) {
     header()->setSectionResizeMode(LayerModel::kName, QHeaderView::Stretch);
     header()->resizeSection(LayerModel::kEye, kLayerIconColumn);
     header()->resizeSection(LayerModel::kLock, kLayerIconColumn);
-    take_keys_of_list(this);
+    keep_keys_for_canvas(this);
     keep_own_keys(this, {Qt::Key_F2, Qt::Key_Space});
     connect(this, &QTreeView::collapsed, this,
             [this](const QModelIndex& index) { folded_.insert(model_.row_at(index).group); });

@@ -147,6 +147,7 @@ void BrushPanel::write_steadying() {
     const QSignalBlocker no_mode_signal(steady_mode_);
     const QSignalBlocker no_strength_signal(strength_);
     steady_mode_->setCurrentIndex(steady_mode_->findData(static_cast<int>(steadying_.mode)));
+    strength_->setEnabled(steadying_.mode != SteadyMode::Off);
     strength_->setVisible(steadying_.mode != SteadyMode::Off);
     strength_reading_->setVisible(steadying_.mode != SteadyMode::Off);
     if (steadying_.mode == SteadyMode::String) {
