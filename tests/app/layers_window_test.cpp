@@ -63,6 +63,7 @@ class LayersWindow : public WindowTest {
     std::string active_name() { return stack().layers[stack().active].look.name; }
     static LayerRow layer(document::LayerId id) { return {.layer = id}; }
     QRect place_of(const LayerRow& row, LayerModel::Column column) {
+        tree().scrollTo(tree().layers().index_of(row, column));  // the window may be low
         return tree().visualRect(tree().layers().index_of(row, column));
     }
     void click(const LayerRow& row, LayerModel::Column column, Qt::KeyboardModifiers keys = {}) {
