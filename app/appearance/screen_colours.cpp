@@ -22,11 +22,28 @@ QRgb shown_pixel(const pigment::ColourCube& cube, QRgb pixel) {
     return qRgba(level(seen[0]), level(seen[1]), level(seen[2]), qAlpha(pixel));
 }
 
+QColor through(const ScreenCube& cube, const QColor& colour) {
+    if (cube == nullptr || !colour.isValid()) return colour;
+    return QColor::fromRgba(shown_pixel(*cube, colour.rgba()));
+}
+
+QImage through(const ScreenCube& cube, const QImage& picture) {
+    if (cube == nullptr || picture.isNull()) return picture;
+    QImage seen = picture.convertToFormat(QImage::Format_ARGB32);
+    for (int y = 0; y < seen.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(seen.scanLine(y));
+        for (int x = 0; x < seen.width(); ++x)
+            line[x] = shown_pixel(*cube, line[x]);
+    }
+    return seen;
+}
+
 }  // namespace
 
-void ScreenColours::use(ScreenCube cube) {
-    if (cube == cube_) return;
+void ScreenColours::use(ScreenCube cube, ScreenCube of_painting) {
+    if (cube == cube_ && of_painting == of_painting_) return;
     cube_ = std::move(cube);
+    of_painting_ = std::move(of_painting);
     Q_EMIT changed();
     for (QWidget* widget : QApplication::allWidgets())
         widget->update();
@@ -38,26 +55,24 @@ ScreenColours& screen_colours() {
 }
 
 QColor shown(const QColor& colour) {
-    const ScreenCube& cube = screen_colours().cube();
-    if (cube == nullptr || !colour.isValid()) return colour;
-    return QColor::fromRgba(shown_pixel(*cube, colour.rgba()));
+    return through(screen_colours().cube(), colour);
 }
 
 QImage shown(const QImage& picture) {
-    const ScreenCube& cube = screen_colours().cube();
-    if (cube == nullptr || picture.isNull()) return picture;
-    QImage seen = picture.convertToFormat(QImage::Format_ARGB32);
-    for (int y = 0; y < seen.height(); ++y) {
-        auto* line = reinterpret_cast<QRgb*>(seen.scanLine(y));
-        for (int x = 0; x < seen.width(); ++x)
-            line[x] = shown_pixel(*cube, line[x]);
-    }
-    return seen;
+    return through(screen_colours().cube(), picture);
 }
 
 QPixmap shown(const QPixmap& picture) {
     if (screen_colours().cube() == nullptr || picture.isNull()) return picture;
     return QPixmap::fromImage(shown(picture.toImage()));
+}
+
+QColor shown_in_painting(const QColor& colour) {
+    return through(screen_colours().of_painting(), colour);
+}
+
+QImage shown_in_painting(const QImage& picture) {
+    return through(screen_colours().of_painting(), picture);
 }
 
 }  // namespace pastoso::appearance

@@ -19,16 +19,19 @@ class ScreenColours : public QObject {
     Q_OBJECT
   public:
     /// From the window's thread, as all calls. All widgets are painted anew.
-    void use(ScreenCube cube);
+    void use(ScreenCube cube, ScreenCube of_painting);
 
     /// Null where colours are shown as they are.
     const ScreenCube& cube() const { return cube_; }
+
+    /// What a painting is shown through, where it is painted and looked at.
+    const ScreenCube& of_painting() const { return of_painting_; }
 
   Q_SIGNALS:
     void changed();
 
   private:
-    ScreenCube cube_;
+    ScreenCube cube_, of_painting_;
 };
 
 /// Those of the program.
@@ -38,5 +41,9 @@ ScreenColours& screen_colours();
 QColor shown(const QColor& colour);
 QImage shown(const QImage& picture);
 QPixmap shown(const QPixmap& picture);
+
+/// The same in a painting.
+QColor shown_in_painting(const QColor& colour);
+QImage shown_in_painting(const QImage& picture);
 
 }  // namespace pastoso::appearance

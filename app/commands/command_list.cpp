@@ -259,6 +259,10 @@ constexpr CommandText kCommands[] = {
                 true, true},
     CommandText{Command::GamutWarning, kView, QT_TR_NOOP("Gamut &warning"), "Alt+7",
                 QT_TR_NOOP("Colours that this printer has not are grey"), true},
+    CommandText{
+        Command::ValueCheck, kView, QT_TR_NOOP("&Value check"), "Alt+8",
+        QT_TR_NOOP("The painting in greys as light as its colours: darks and lights by themselves"),
+        true},
     CommandText{Command::ToolPanel, kView, QT_TR_NOOP("&Tool panel"), "F5",
                 QT_TR_NOOP("What the brush holds, and how it answers to the hand"), false, true},
     CommandText{Command::ColourPanel, kView, QT_TR_NOOP("&Colour panel"), "F6",

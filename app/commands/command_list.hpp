@@ -106,6 +106,7 @@ enum class Command {
     LookFlat,
     SoftProof,
     GamutWarning,
+    ValueCheck,
     ToolPanel,
     ColourPanel,
     PhysicsPanel,

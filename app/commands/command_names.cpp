@@ -115,6 +115,7 @@ constexpr Name kNames[] = {
     {Command::LookFlat, "look_flat"},
     {Command::SoftProof, "soft_proof"},
     {Command::GamutWarning, "gamut_warning"},
+    {Command::ValueCheck, "value_check"},
     {Command::ToolPanel, "tool_panel"},
     {Command::ColourPanel, "colour_panel"},
     {Command::PhysicsPanel, "physics_panel"},

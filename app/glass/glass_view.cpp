@@ -182,7 +182,7 @@ void GlassView::compose(QSize size) {
 void GlassView::present(QSize size) {
     const GLuint frame = defaultFramebufferObject();
     if (for_screen_)
-        return finish_.draw(seen_->texture(), size, appearance::screen_colours().cube(), frame);
+        return finish_.draw(seen_->texture(), size, appearance::screen_colours().of_painting(), frame);
     const QRect all(QPoint(0, 0), size);
     copy_turned(gl(), seen_->handle(), all, frame, all);
     gl().glBindFramebuffer(GL_FRAMEBUFFER, frame);

@@ -110,8 +110,8 @@ void Frame::show_picture(const QImage& picture) {
 
 void Frame::take_screen_colours() {
     if (picture_.isNull()) return;
-    shown_ = appearance::shown(picture_);
-    veil_ = appearance::shown(veil_of(picture_));
+    shown_ = appearance::shown_in_painting(picture_);
+    veil_ = appearance::shown_in_painting(veil_of(picture_));
 }
 
 tools::FrameHold Frame::hold_at(const glm::dvec2& place_mm) const {

@@ -90,7 +90,7 @@ bool WetMark::draw(const document::Snapshot& shown, const view::Overlay& overlay
     const auto outlines_mm = outline.swept_mm(ahead_.places(), kGap_px * overlay.px_mm);
     if (outlines_mm.empty()) return false;
     const auto [red, green, blue] = colour->colour;
-    const QColor wet = appearance::shown(
+    const QColor wet = appearance::shown_in_painting(
         QColor(red, green, blue, static_cast<int>(255.0 * kStrength * colour->opacity + 0.5)));
     const double point_px = overlay.px_mm * glm::length(overlay.canvas.px_from_mm[0]);
     overlay.painter.draw([&](QPainter& painter) {

@@ -175,7 +175,7 @@ void GlScreen::draw_frame() {
 }
 
 void GlScreen::finish_picture() {
-    picture_.finish(appearance::screen_colours().cube(), defaultFramebufferObject());
+    picture_.finish(appearance::screen_colours().of_painting(), defaultFramebufferObject());
 }
 
 /// What is there is moved along, where shading all of it anew would hold up the hand.

@@ -41,7 +41,7 @@ RasterScreen::RasterScreen(ScreenHost& host, QWidget& parent)
 
 RasterScene RasterScreen::wanted_scene() const {
     return {host_.sight(), host_.view_transform(), window_px(*this), ground_colour(),
-            appearance::screen_colours().cube()};
+            appearance::screen_colours().of_painting()};
 }
 
 /// What nobody sees is not drawn.

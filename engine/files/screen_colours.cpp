@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "files/icc_workshop.hpp"
+#include "pigment/colour.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,13 +72,29 @@ Way seen_on(const Workshop& workshop, const Profile& printer, const Profile& mon
     return {workshop, printer, monitor, INTENT_RELATIVE_COLORIMETRIC, kBlackMatched};
 }
 
+/// The greys of the same luminance.
+Colours greys_of(const Colours& colours, pigment::WorkingSpace space) {
+    const std::array<float, 3> weights = pigment::luminance_weights(space);
+    Colours greys = colours;
+    for (std::size_t i = 0; i < greys.values.size(); i += 3) {
+        double luminance = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            luminance += weights[k] * pigment::decode_srgb(colours.values[i + k]);
+        std::fill_n(greys.values.begin() + static_cast<std::ptrdiff_t>(i), 3,
+                    static_cast<float>(pigment::encode_srgb(luminance)));
+    }
+    return greys;
+}
+
 class ScreenWay {
   public:
     explicit ScreenWay(const ScreenProfiles& profiles)
         : space_(encoded_profile(workshop_, profiles.space)),
           monitor_(profiles.monitor.empty() ? encoded_profile(workshop_, profiles.space)
                                             : open_profile(workshop_, profiles.monitor)),
-          printer_(profiles.printer.empty() ? nullptr : open_profile(workshop_, profiles.printer)) {
+          printer_(profiles.printer.empty() ? nullptr : open_profile(workshop_, profiles.printer)),
+          working_space_(profiles.space),
+          values_(profiles.values) {
         const bool prints = printer_ != nullptr;
         if (prints && profiles.soft_proof) {
             shown_.emplace_back(workshop_, space_, printer_, intent_of(printer_), kBlackMatched);
@@ -93,10 +110,10 @@ class ScreenWay {
         tolerance_ = cmsIsMatrixShaper(printer_.get()) ? 1.0F : 5.0F;
     }
 
-    bool changes_something() const { return !shown_.empty() || !printed_.empty(); }
+    bool changes_something() const { return values_ || !shown_.empty() || !printed_.empty(); }
 
     void convert(const Colours& colours, ColourCube::Node* nodes) const {
-        const Colours shown = along(shown_, colours);
+        const Colours shown = along(shown_, values_ ? greys_of(colours, working_space_) : colours);
         const Colours wanted = along(wanted_, colours), printed = along(printed_, colours);
         for (std::size_t i = 0; i < kAtOnce; ++i) {
             for (std::size_t k = 0; k < 3; ++k)
@@ -126,6 +143,8 @@ class ScreenWay {
     Profile space_, monitor_, printer_;
     Profile lab_{cmsCreateLab4ProfileTHR(workshop_.context(), nullptr)};
     std::vector<Way> shown_, wanted_, printed_;
+    pigment::WorkingSpace working_space_;
+    bool values_;
     float tolerance_ = 0.0F;
 };
 

@@ -30,6 +30,7 @@ struct ScreenProfiles {
     IccProfile printer{};        ///< of the two below, which do nothing where it is empty
     bool soft_proof = false;     ///< as they would be printed
     bool gamut_warning = false;  ///< marks those that cannot be printed
+    bool values = false;         ///< as the greys of their luminance
     friend bool operator==(const ScreenProfiles&, const ScreenProfiles&) = default;
 };
 

@@ -2233,6 +2233,14 @@
         <source>Give up what is being opened or made; the painting on the easel stays</source>
         <translation>Give up what is being opened or made; the painting on the easel stays</translation>
     </message>
+    <message>
+        <source>&amp;Value check</source>
+        <translation>&amp;Value check</translation>
+    </message>
+    <message>
+        <source>The painting in greys as light as its colours: darks and lights by themselves</source>
+        <translation>The painting in greys as light as its colours: darks and lights by themselves</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>

@@ -2233,6 +2233,14 @@
         <source>Give up what is being opened or made; the painting on the easel stays</source>
         <translation>開いている、または作っているものをやめる。イーゼルの絵はそのまま</translation>
     </message>
+    <message>
+        <source>&amp;Value check</source>
+        <translation>明度の確認(&amp;V)</translation>
+    </message>
+    <message>
+        <source>The painting in greys as light as its colours: darks and lights by themselves</source>
+        <translation>絵を、色と同じ明るさのグレーで見る。明暗だけが分かる</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>

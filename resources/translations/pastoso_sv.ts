@@ -2233,6 +2233,14 @@
         <source>Give up what is being opened or made; the painting on the easel stays</source>
         <translation>Ge upp det som öppnas eller görs; målningen på staffliet stannar kvar</translation>
     </message>
+    <message>
+        <source>&amp;Value check</source>
+        <translation>&amp;Valörkontroll</translation>
+    </message>
+    <message>
+        <source>The painting in greys as light as its colours: darks and lights by themselves</source>
+        <translation>Målningen i gråtoner lika ljusa som dess färger: mörker och ljus för sig</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>

@@ -2233,6 +2233,14 @@
         <source>Give up what is being opened or made; the painting on the easel stays</source>
         <translation>放棄正在開啟或製作的內容；畫架上的畫保持不變</translation>
     </message>
+    <message>
+        <source>&amp;Value check</source>
+        <translation>明度檢查(&amp;V)</translation>
+    </message>
+    <message>
+        <source>The painting in greys as light as its colours: darks and lights by themselves</source>
+        <translation>以與顏色同樣明亮的灰階顯示畫作：只看明暗</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>

@@ -49,7 +49,7 @@ class ColoursWindow : public WindowTest {
   protected:
     void TearDown() override {
         WindowTest::TearDown();
-        appearance::screen_colours().use(nullptr);
+        appearance::screen_colours().use(nullptr, nullptr);
     }
     std::string file(const char* name, const std::string& bytes) {
         core::write_text_file(folder_.path() / name, bytes);
@@ -268,6 +268,23 @@ TEST_F(ColoursWindow, AProofAsksForThePrinterFirst) {
     EXPECT_TRUE(action(Command::GamutWarning)->isChecked());
     print_on("");
     EXPECT_FALSE(action(Command::GamutWarning)->isChecked()) << "the printer is gone";
+}
+
+TEST_F(ColoursWindow, ValuesAreOfThePaintingAlone) {
+    paint();
+    const QImage coloured = picture();
+    give(Command::ValueCheck);
+    const QImage greys = picture();
+    const QColor red(200, 60, 30);
+    EXPECT_EQ(appearance::shown(red), red) << "tubes keep their colours";
+    const QColor grey = appearance::shown_in_painting(red);
+    EXPECT_EQ(grey.red(), grey.green());
+    EXPECT_EQ(grey.green(), grey.blue());
+    const QPoint middle = coloured.rect().center();
+    EXPECT_GT(coloured.pixelColor(middle).hsvSaturation(), 100);
+    EXPECT_LT(greys.pixelColor(middle).hsvSaturation(), 4) << "a dither of one level";
+    give(Command::ValueCheck);
+    EXPECT_EQ(difference(picture(), coloured).largest, 0);
 }
 
 TEST_F(ColoursWindow, ColoursAndPicturesAreShownAlike) {

@@ -94,6 +94,31 @@ TEST(ScreenColours, GreysStayGrey) {
     }
 }
 
+TEST(ScreenColours, ValuesAreGreysOfTheSameLuminance) {
+    for (const WorkingSpace space : {WorkingSpace::Srgb, WorkingSpace::DisplayP3}) {
+        const auto cube = screen_cube({.space = space, .values = true});
+        const std::array<float, 3> weights = pigment::luminance_weights(space);
+        for (const EncodedRgb& colour : some_colours(2000)) {
+            double luminance = 0.0;
+            for (int k = 0; k < 3; ++k)
+                luminance += weights[k] * pigment::decode_srgb(colour[k]);
+            const auto grey = static_cast<float>(pigment::encode_srgb(luminance));
+            // Between nodes, where a curve is interpolated along a line.
+            EXPECT_THAT(pigment::shown_by(*cube, colour),
+                        Pointwise(testing::FloatNear(kLevel), {grey, grey, grey}));
+        }
+    }
+}
+
+TEST(ScreenColours, ValuesAreShownOnTheScreenThatThereIs) {
+    const ScreenProfiles profiles{.monitor = tests::made_monitor(tests::swapped_primaries(), 1.8),
+                                  .values = true};
+    const auto cube = screen_cube(profiles);
+    const EncodedRgb red = pigment::shown_by(*cube, {1.0F, 0.0F, 0.0F});
+    const float wanted = std::pow(pigment::luminance_weights(WorkingSpace::Srgb)[0], 1.0F / 1.8F);
+    EXPECT_THAT(red, Pointwise(testing::FloatNear(kLevel), {wanted, wanted, wanted}));
+}
+
 /// What LittleCMS makes of a colour without a table of ours.
 EncodedRgb converted(const IccProfile& from, const IccProfile& to, const EncodedRgb& colour) {
     const cmsHPROFILE source = cmsOpenProfileFromMem(from.data(), static_cast<unsigned>(from.size()));

@@ -28,6 +28,10 @@ constexpr std::pair<Command, bool ScreenProfiles::*> kProofs[] = {
 ColourCommands::ColourCommands(Studio& studio) : studio_(studio), colord_(QDBusConnection::systemBus()) {
     for (const auto& [command, proof] : kProofs)
         studio_.commands().on(command, [this, proof = proof](bool on) { prove(proof, on); });
+    studio_.commands().on(Command::ValueCheck, [this](bool on) {
+        profiles_.values = on;
+        show();
+    });
     connect(&studio_.canvas(), &view::CanvasView::viewing_changed, this, &ColourCommands::show);
     connect(&colord_, &ColordProfile::found, this, &ColourCommands::take_system);
     studio_.window().installEventFilter(this);
@@ -98,7 +102,10 @@ void ColourCommands::show() {
     }
     if (shown_ == profiles_) return;
     shown_ = profiles_;
-    appearance::screen_colours().use(files::screen_cube(profiles_));
+    ScreenProfiles coloured = profiles_;
+    coloured.values = false;
+    const auto cube = files::screen_cube(coloured);
+    appearance::screen_colours().use(cube, profiles_.values ? files::screen_cube(profiles_) : cube);
 }
 
 }  // namespace pastoso::main

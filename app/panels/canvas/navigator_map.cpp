@@ -59,8 +59,8 @@ void NavigatorMap::show_picture(const QImage& picture) {
 void NavigatorMap::fit_picture() {
     if (picture_.isNull()) return;
     const QSize size = (canvas_place().size() * devicePixelRatioF()).toSize();
-    shown_ = QPixmap::fromImage(
-        appearance::shown(picture_.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)));
+    shown_ = QPixmap::fromImage(appearance::shown_in_painting(
+        picture_.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)));
     shown_.setDevicePixelRatio(devicePixelRatioF());
     update();
 }
