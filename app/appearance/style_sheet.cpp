@@ -24,7 +24,7 @@ QMenu::item:disabled { color: <faint_text>; }
 QMenu::separator { height: 1px; background: <line>; margin: 4px 6px; }
 QStatusBar { background: <window>; border-top: 1px solid <edge>; color: <quiet_text>; }
 QStatusBar::item { border: none; }
-QStatusBar QToolButton { padding: 2px 7px; }
+QStatusBar QToolButton { padding: 3px 7px; }
 QStatusBar QLabel { color: <quiet_text>; padding: 0px 7px; }
 QWidget#pace_notice QLabel { color: <text>; padding: 0px 4px; }
 QWidget#pace_notice QPushButton { padding: 5px 8px; }

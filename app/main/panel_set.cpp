@@ -23,6 +23,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QScreen>
 #include <QScrollArea>
 #include <QStatusBar>
 #include <QToolButton>
@@ -187,7 +188,7 @@ PanelSet lay_out(Studio& studio) {
     window.statusBar()->setSizeGripEnabled(false);
     window.statusBar()->addPermanentWidget(make_message_button(studio));
     window.statusBar()->addPermanentWidget(panels.readings);
-    window.resize(1280, 800);
+    window.resize(QSize(1280, 800).boundedTo(window.screen()->availableSize()));
     studio.canvas().setFocus();
     return panels;
 }

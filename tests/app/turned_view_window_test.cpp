@@ -146,6 +146,8 @@ TEST_F(TurnedView, TheWheelKeepsThePointUnderTheCursorThere) {
 }
 
 TEST_F(TurnedView, AStrokeLandsWhereThePointerWas) {
+    window().resize(1180, 755);
+    canvas().fit();
     give(Command::Pause);
     for (int i = 0; i < 3; ++i)
         give(Command::TurnRight);
