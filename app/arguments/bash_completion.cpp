@@ -7,14 +7,6 @@
 namespace pastoso::arguments {
 namespace {
 
-/// A name for the shell: "_pastoso_cli".
-std::string function_name(const std::string& program) {
-    std::string name = "_" + program;
-    for (char& letter : name)
-        if (letter == '-') letter = '_';
-    return name;
-}
-
 /// A list, one word a line, as bash quotes it: words may hold spaces.
 std::string quoted(const std::vector<std::string>& words) {
     std::string text;
@@ -85,7 +77,7 @@ std::string word_cases(const CommandFacts& command) {
 }  // namespace
 
 std::string bash_completion(const CommandFacts& program) {
-    const std::string function = function_name(program.name);
+    const std::string function = function_name(program.line);
     return "# Completes " + program.name + " in bash.\n" + function +
            "() {\n"
            "    local current=\"${COMP_WORDS[COMP_CWORD]}\" previous=\"${COMP_WORDS[COMP_CWORD-1]}\"\n"

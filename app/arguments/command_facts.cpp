@@ -1,6 +1,5 @@
 #include "arguments/command_facts.hpp"
 
-#include <algorithm>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -96,6 +95,13 @@ CommandFacts facts_below(const CLI::App& command, const std::string& before) {
 
 CommandFacts facts_of(const CLI::App& program) {
     return facts_below(program, "");
+}
+
+std::string function_name(const std::string& line) {
+    std::string name = "_" + line;
+    for (char& letter : name)
+        if (letter == '-' || letter == ' ') letter = '_';
+    return name;
 }
 
 }  // namespace pastoso::arguments

@@ -37,4 +37,7 @@ struct CommandFacts {
 /// Of the program with all of its subcommands; options that help does not show are left out.
 CommandFacts facts_of(const CLI::App& program);
 
+/// What a shell can call the function of a command: "_pastoso_cli_tea_render" of its line.
+std::string function_name(const std::string& line);
+
 }  // namespace pastoso::arguments

@@ -20,13 +20,6 @@ std::string quoted(const std::string& text) {
     return result;
 }
 
-std::string function_name(const std::string& line) {
-    std::string name = "_" + line;
-    for (char& letter : name)
-        if (letter == '-' || letter == ' ') letter = '_';
-    return name;
-}
-
 /// One word of a list.
 std::string with_spaces_escaped(const std::string& text) {
     std::string result;

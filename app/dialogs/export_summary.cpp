@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/looking.hpp"
 #include "core/memory.hpp"
+#include "dialogs/length_box.hpp"
 #include "document/canvas.hpp"
 #include "files/file_access.hpp"
 
@@ -38,12 +39,11 @@ QString duration(double seconds) {
 }
 
 QString picture_words(const grid::Shape& size, const recordings::ExportedCells& cells, double scale) {
-    constexpr double kMmPerInch = 25.4;
     return tr("%1 × %2 pixels for %3 × %4 mm, which is %5 pixels per inch.")
         .arg(size.width)
         .arg(size.height)
         .arg(length(cells.shape.width * cells.cell_mm), length(cells.shape.height * cells.cell_mm))
-        .arg(std::lround(scale / cells.cell_mm * kMmPerInch));
+        .arg(std::lround(scale / cells.cell_mm * kInch_mm));
 }
 
 QString map_words(const grid::Shape& size, const Path& path) {
