@@ -314,12 +314,17 @@ struct GivenPaint {
     }
 };
 
+/// Paints are told apart by more than what looks alike (film::looks_like_one): else a film of
+/// micrometres, whose weakest channels are a few quanta, would be another paint than what it was laid
+/// with.
+constexpr float kOtherShare = 1.5F * film::kLikeShare;
+constexpr auto kOtherColour_quanta = static_cast<float>(4 * film::kNoColour / film::kPaintQuantum);
+
 /// Whether `gained` quanta of the tool's paint are of another colour than as much, the share `part`, of
-/// what lies above `lower`: by more than what looks alike and than what changes no colour.
+/// what lies above `lower`: by more than kOtherShare of the more and than kOtherColour_quanta.
 PASTOSO_LANE_FUNCTION bool is_other(const GivenPaint& given, const std::int32_t* whole,
                                     const std::int32_t* lower, float part, float gained) {
-    constexpr auto kNoColour_quanta = static_cast<float>(film::kNoColour / film::kPaintQuantum);
-    const Floats unseen(kNoColour_quanta * part);
+    const Floats unseen(kOtherColour_quanta * part);
     bool any = false;
     for (int g = 0; g < kGroups; ++g) {
         Ints above = lanes::load<Ints>(whole + g * kLanes);
@@ -327,7 +332,7 @@ PASTOSO_LANE_FUNCTION bool is_other(const GivenPaint& given, const std::int32_t*
         const Floats here = lanes::convert<float>(above) * part;
         const Floats coming = given.per_quantum[g] * gained;
         const Floats apart = lanes::max(here - coming, coming - here);
-        const auto other = apart > lanes::max(lanes::max(here, coming) * film::kLikeShare, unseen);
+        const auto other = apart > lanes::max(lanes::max(here, coming) * kOtherShare, unseen);
         any |= lanes::any(other && coming > given.least[g]);
     }
     return any;

@@ -9,8 +9,9 @@ namespace pastoso::document {
 /// 1: footprints are looked at in the middles of cells. 2: what a cell gets is a mean over it
 /// (brush/resolved_tip.hpp). 3: wet paint on wet paint lies above it (film/cell/lower_stratum.hpp).
 /// 4: the film's laws are the same in every direction and at every step length (decision 0067). 5: how
-/// long paint waits for its step goes by millimetres where cells are fine (film/tile_activity.hpp).
-inline constexpr int kArithmetic = 5;
+/// long paint waits for its step goes by millimetres where cells are fine (film/tile_activity.hpp). 6:
+/// paint lies in layers only where it is told apart by more than rounding (brush/transfer_kernels.cpp).
+inline constexpr int kArithmetic = 6;
 
 /// What a painter should know of strokes of an earlier arithmetic, as the end of a sentence on them;
 /// empty for those of the present one.

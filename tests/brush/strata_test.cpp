@@ -69,16 +69,32 @@ TEST(StrataStroke, KeepsAllPaint) {
     EXPECT_TRUE(any);
 }
 
-TEST(StrataStroke, PaintOfOneColourStaysOne) {
+int cells_of_two_strata(const film::FilmState& film) {
+    int cells = 0;
+    for (int y = 0; y < film.shape.height; ++y)
+        for (int x = 0; x < film.shape.width; ++x)
+            cells += film.lower.thickness.at(x, y) > 0 ? 1 : 0;
+    return cells;
+}
+
+/// Of a stroke over paint that has so much more of every pigment than the stroke's own.
+int strata_over(double strength) {
     Easel easel;
-    studio::cover(easel.film, 0.2, oil("PB29"));
+    film::PaintCoefficients found = oil("PB29");
+    for (int k = 0; k < film::kPigmentChannels; ++k)
+        found[k] *= strength;
+    studio::cover(easel.film, 0.2, found);
     Brush brush(studio::flat_preset(16.0), 3);
     brush.load(oil("PB29"), 1.0);
     studio::paint(brush, easel.film, studio::line(6.0, 10.0, 30.0, 21.0, 0.5, 90.0));
-    for (int y = 0; y < easel.film.shape.height; ++y)
-        for (int x = 0; x < easel.film.shape.width; ++x)
-            if (easel.film.lower.thickness.at(x, y) > 0)
-                ADD_FAILURE() << x << ", " << y;
+    return cells_of_two_strata(easel.film);
+}
+
+TEST(StrataStroke, PaintOfOneColourStaysOne) {
+    for (const double strength : {1.0, 1.12, 1.0 / 1.12})
+        EXPECT_EQ(strata_over(strength), 0) << strength;
+    for (const double strength : {1.3, 1.0 / 1.3})
+        EXPECT_GT(strata_over(strength), 100) << strength;
 }
 
 /// Where a stroke frays out, a film of a few roundings is left for the next one to lie on.
@@ -90,11 +106,7 @@ TEST(StrataStroke, PaintOfOneColourStaysOneOverAFrayedEdge) {
         brush.load(studio::paint_in("PW6", "linseed oil"), 1.0);
         studio::paint(brush, film, studio::line(5.0, y_mm, 55.0, y_mm, 0.4, 90.0));
     }
-    int strata = 0;
-    for (int y = 0; y < film.shape.height; ++y)
-        for (int x = 0; x < film.shape.width; ++x)
-            strata += film.lower.thickness.at(x, y) > 0 ? 1 : 0;
-    EXPECT_EQ(strata, 0);
+    EXPECT_EQ(cells_of_two_strata(film), 0);
 }
 
 }  // namespace

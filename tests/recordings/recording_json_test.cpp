@@ -405,7 +405,7 @@ TEST(RecordingJson, WithoutTheWellOlderProgramsCanReadIt) {
 
 TEST(RecordingJson, KnowsTheArithmeticThatItWasPaintedWith) {
     const std::string now = recording_to_json(Recording{});
-    EXPECT_THAT(now, HasSubstr("\"version\": 9,\n\"arithmetic\": 5,"));
+    EXPECT_THAT(now, HasSubstr("\"version\": 9,\n\"arithmetic\": 6,"));
     EXPECT_EQ(recording_from_json(now, "s.json").arithmetic, document::kArithmetic);
     EXPECT_EQ(recording_from_json(file_with(R"({"tick":3,"clean_brush":{}})"), "s.json").arithmetic, 1)
         << "that says nothing";
@@ -413,8 +413,8 @@ TEST(RecordingJson, KnowsTheArithmeticThatItWasPaintedWith) {
     early.arithmetic = 1;
     EXPECT_EQ(recording_from_json(recording_to_json(early), "s.json"), early);
     std::string later = now;
-    later.replace(later.find("\"arithmetic\": 5"), 15, "\"arithmetic\": 6");
-    EXPECT_EQ(error(later), "s.json, arithmetic: 6 is not between 1 and 5.");
+    later.replace(later.find("\"arithmetic\": 6"), 15, "\"arithmetic\": 7");
+    EXPECT_EQ(error(later), "s.json, arithmetic: 7 is not between 1 and 6.");
 }
 
 TEST(RecordingJson, RefusesAbsurdCanvases) {
