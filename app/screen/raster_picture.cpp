@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QElapsedTimer>
 #include <QPainter>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,14 +23,17 @@ namespace {
 /// The layers of so many cells are made at once.
 constexpr double kCellsAtOnce = 1 << 22;
 
-/// Samples, or cells whose layers are made, that take some hundredths of a second.
-constexpr double kMostWork = 2e6;
+/// A picture of every third frame of a screen of 60 Hz still follows the hand.
+constexpr double kMostWork_s = 0.025;
 
 /// Pixels for each cell below which a draft has no relief.
 constexpr double kFlatZoom = 0.25;
 
 /// Of canvases up to so large the layers are kept: 28 bytes a cell.
 constexpr double kMostCellsKept = 12e6;
+
+/// Layers are kept of so many cells beyond the canvas, too: a pixel at its edge reaches over it.
+constexpr int kKeptAround = 2 * shade::kLayersAround;
 
 pigment::EncodedRgb colour_of(const QRgba64& pixel) {
     constexpr auto kMost = static_cast<float>(kMost16);
@@ -121,7 +125,7 @@ bool same_layers(const Sight& a, const Sight& b) {
 
 }  // namespace
 
-void RasterPicture::show(const RasterScene& scene, Quality quality, core::ThreadPool& pool) {
+bool RasterPicture::show(const RasterScene& scene, core::ThreadPool& pool) {
     const auto seen = ground_.below(scene.sight.painting, scene.sight.tracing, pool);
     if (seen_ != nullptr && !same_canvas(seen_->film, seen->film)) seen_.reset();
     if (seen_ == nullptr) light_.reset();
@@ -150,9 +154,13 @@ void RasterPicture::show(const RasterScene& scene, Quality quality, core::Thread
     const QRegion known = known_from_afar(region);
     const QRegion rest = region - known;
     paint(known, Quality::Full, pool);
-    const bool soon = work_of(rest) <= kMostWork;
-    paint(rest, soon ? Quality::Full : layers_.cells.empty() ? Quality::Plain : quality, pool);
+    const bool soon = budget_.expected_s(work_of(rest)) <= kMostWork_s;
+    if (soon)
+        paint_in_full(rest, pool);
+    else
+        paint(rest, Quality::Plain, pool);
     if (finished_anew) finish(image_.rect(), scene, pool);
+    return !soon;
 }
 
 /// A pixel's samples or, where that is more and no layers are kept, the cells below it.
@@ -213,13 +221,22 @@ void RasterPicture::paint(const QRegion& region, Quality quality, core::ThreadPo
     draft_ &= QRect(QPoint(0, 0), scene_->window_px);
 }
 
+void RasterPicture::paint_in_full(const QRegion& region, core::ThreadPool& pool) {
+    QElapsedTimer timer;
+    timer.start();
+    paint(region, Quality::Full, pool);
+    budget_.measured(work_of(region), 1e-9 * static_cast<double>(timer.nsecsElapsed()));
+}
+
 /// The renderer would look for the canvas's highest place each time.
 template <class Paint>
 void RasterPicture::with_layers(const CanvasSheet& sheet, const grid::Rect& pixels,
                                 core::ThreadPool& pool, const Paint& paint) const {
-    if (!layers_.cells.empty() || scene_->sight.look == Look::Height) return paint(layers_);
-    paint(shade::cell_layers(seen_->film, seen_->ground, cells_needed(sheet, pixels),
-                             scene_->sight.lighting, range_, pool, scene_->sight.viewing.to_rgb));
+    const grid::Rect needed = cells_needed(sheet, pixels);
+    const bool kept = grid::intersection(layers_.cells, needed) == needed;
+    if (kept || scene_->sight.look == Look::Height) return paint(layers_);
+    paint(shade::cell_layers(seen_->film, seen_->ground, needed, scene_->sight.lighting, range_, pool,
+                             scene_->sight.viewing.to_rgb));
 }
 
 void RasterPicture::paint_sheet(const QRegion& region, Quality quality, core::ThreadPool& pool) {
@@ -257,12 +274,12 @@ void RasterPicture::paint_from_afar(const QRegion& region, core::ThreadPool& poo
 }
 
 void RasterPicture::refine(core::ThreadPool& pool) {
-    if (is_draft()) paint(draft_ & next_strip(), Quality::Full, pool);
+    if (is_draft()) paint_in_full(draft_ & next_strip(), pool);
 }
 
 QRect RasterPicture::next_strip() const {
     QRect strip = draft_.boundingRect();
-    const double rows = kMostWork / (work_per_pixel() * strip.width());
+    const double rows = budget_.affordable_samples(kMostWork_s) / (work_per_pixel() * strip.width());
     strip.setHeight(static_cast<int>(std::clamp(rows, 1.0, static_cast<double>(strip.height()))));
     return strip;
 }
@@ -274,14 +291,13 @@ QRegion RasterPicture::changed_cells(const RasterScene& scene, const document::S
     ranges_.update(seen.film, tiles);
     range_ = ranges_.all();
     if (!light_ || !same_layers(*light_, scene.sight))
-        return qt_rect(shade::grown(seen.film.shape.cells(), shade::kLayersAround));
-    return relief_region(seen.film, tiles, scene.sight.lighting, united(before, range_),
-                         shade::kLayersAround);
+        return qt_rect(shade::grown(seen.film.shape.cells(), kKeptAround));
+    return relief_region(seen.film, tiles, scene.sight.lighting, united(before, range_), kKeptAround);
 }
 
 void RasterPicture::update_layers(const RasterScene& scene, const document::Snapshot& seen,
                                   const QRegion& changed, core::ThreadPool& pool) {
-    const grid::Rect all = shade::grown(seen.film.shape.cells(), shade::kLayersAround);
+    const grid::Rect all = shade::grown(seen.film.shape.cells(), kKeptAround);
     if (static_cast<double>(all.width()) * all.height() > kMostCellsKept) {
         layers_ = {};
         return;

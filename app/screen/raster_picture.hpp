@@ -4,6 +4,7 @@
 #include "core/thread_pool.hpp"
 #include "screen/canvas_sheet.hpp"
 #include "screen/far_picture.hpp"
+#include "screen/frame_budget.hpp"
 #include "screen/quality.hpp"
 #include "screen/raster_scene.hpp"
 #include "shade/cell_layers.hpp"
@@ -19,14 +20,14 @@ namespace pastoso::screen {
 /// Keeps the latest picture: only what differs from it is made again, and what comes into the window.
 class RasterPicture {
   public:
-    /// Makes it one of this scene. What is no other stays in the quality that it has; what is made soon
-    /// is made in full.
-    void show(const RasterScene& scene, Quality quality, core::ThreadPool& pool);
+    /// Makes it one of this scene. What is no other stays in the quality that it has; what would take
+    /// longer than a hand notices is a draft at first. Returns whether any is.
+    bool show(const RasterScene& scene, core::ThreadPool& pool);
 
     /// Whether a part of it is less than it is to be.
     bool is_draft() const { return !draft_.isEmpty(); }
 
-    /// Makes a strip of that part as it is to be: as much as takes some hundredths of a second.
+    /// Makes a strip of that part as it is to be: as much as takes as long as a picture may.
     void refine(core::ThreadPool& pool);
 
     const QImage& image() const { return image_; }
@@ -47,6 +48,7 @@ class RasterPicture {
     bool seen_from_afar() const;
     QRegion known_from_afar(const QRegion& region) const;
     void paint(const QRegion& region, Quality quality, core::ThreadPool& pool);
+    void paint_in_full(const QRegion& region, core::ThreadPool& pool);
     template <class Paint>
     void with_layers(const CanvasSheet& sheet, const grid::Rect& pixels, core::ThreadPool& pool,
                      const Paint& paint) const;
@@ -60,6 +62,7 @@ class RasterPicture {
     TracingGround ground_;
     std::optional<RasterScene> scene_;
     QRegion draft_;
+    FrameBudget budget_;
     std::optional<Sight> light_;                      ///< that the layers were made in
     std::shared_ptr<const document::Snapshot> seen_;  ///< its painting on what is traced
     shade::TileRanges ranges_;

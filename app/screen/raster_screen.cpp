@@ -11,6 +11,10 @@
 namespace pastoso::screen {
 namespace {
 
+/// Drafts are left for so long: while they come one after another, as under a hand that paints, to
+/// refine one would hold up the next.
+constexpr int kRest_ms = 60;
+
 QColor colour_of(const Rgb& rgb) {
     return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
 }
@@ -35,6 +39,9 @@ RasterScreen::RasterScreen(ScreenHost& host, QWidget& parent)
               }) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    rest_.setSingleShot(true);
+    rest_.setInterval(kRest_ms);
+    connect(&rest_, &QTimer::timeout, this, &RasterScreen::refine);
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
             &RasterScreen::refresh);
 }
@@ -50,21 +57,9 @@ void RasterScreen::refresh() {
     RasterScene wanted = wanted_scene();
     if (wanted.sight.painting != nullptr && !wanted.window_px.isEmpty() && wanted != asked_) {
         asked_ = wanted;
-        const Quality quality = first_quality(wanted);
-        worker_.replace(Frame{std::move(wanted), quality});
+        worker_.replace(Frame{std::move(wanted)});
     }
     update();
-}
-
-/// A draft where all of the window is another and would hold up the hand.
-Quality RasterScreen::first_quality(const RasterScene& scene) const {
-    constexpr double kMostSamples = 2e6;
-    const double pixels = 1.0 * scene.window_px.width() * scene.window_px.height();
-    const bool quick = pixels * samples_per_pixel(Quality::Full, scene.view.zoom) < kMostSamples;
-    const auto shape = [](const RasterScene& of) { return of.sight.painting->film.shape; };
-    const bool painted_on =
-        frame_ && shape(frame_->scene) == shape(scene) && same_place(frame_->scene, scene);
-    return quick || painted_on ? Quality::Full : Quality::Plain;
 }
 
 /// Not drawn yet: the view comes to suit the canvas first.
@@ -74,7 +69,7 @@ void RasterScreen::begin_other_canvas() {
 
 bool RasterScreen::finished() const {
     if (host_.sight().painting == nullptr) return true;
-    return frame_ && frame_->quality == Quality::Full && frame_->scene == wanted_scene();
+    return frame_ && !frame_->is_draft && frame_->scene == wanted_scene();
 }
 
 const document::Snapshot* RasterScreen::shown() const {
@@ -85,8 +80,8 @@ void RasterScreen::make(Frame& frame) {
     if (frame.refines)
         picture_.refine(pool_);
     else
-        picture_.show(frame.scene, frame.quality, pool_);
-    frame.quality = picture_.is_draft() ? Quality::Plain : Quality::Full;
+        frame.is_drafted_now = picture_.show(frame.scene, pool_);
+    frame.is_draft = picture_.is_draft();
     frame.image = picture_.image();
     frame.scale_top_mm = picture_.scale_top_mm();
     hand_over(std::move(frame));
@@ -110,10 +105,17 @@ void RasterScreen::take_frame() {
     if (!made->fault.empty()) throw core::InputError(made->fault);
     frame_ = std::move(made);
     if (frame_->scene.sight.look == Look::Height) host_.scale_shown(frame_->scale_top_mm);
-    // Strip by strip: what the hand does meanwhile comes first.
-    if (frame_->quality != Quality::Full && frame_->scene == asked_)
-        worker_.replace(Frame{frame_->scene, Quality::Full, true});
+    if (frame_->is_drafted_now)
+        rest_.start();
+    else if (!rest_.isActive())
+        refine();
     refresh();
+}
+
+/// Strip by strip: what the hand does meanwhile comes first.
+void RasterScreen::refine() {
+    if (frame_ && frame_->is_draft && frame_->scene == asked_)
+        worker_.replace(Frame{frame_->scene, true});
 }
 
 void RasterScreen::resizeEvent(QResizeEvent*) {

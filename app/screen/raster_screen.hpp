@@ -10,6 +10,8 @@
 #include <optional>
 #include <string>
 
+#include <QTimer>
+
 namespace pastoso::screen {
 
 class RasterScreen : public QWidget, public CanvasScreen {
@@ -34,18 +36,18 @@ class RasterScreen : public QWidget, public CanvasScreen {
     /// A scene, and its picture once that is made.
     struct Frame {
         RasterScene scene;
-        Quality quality = Quality::Full;
         bool refines = false;  ///< the picture that is there already
+        bool is_draft = false, is_drafted_now = false;
         QImage image{};
         double scale_top_mm = 0.0;
         std::string fault{};  ///< in one sentence, instead of the picture
     };
 
     RasterScene wanted_scene() const;
-    Quality first_quality(const RasterScene& scene) const;
     void make(Frame& frame);
     void hand_over(Frame frame);
     void take_frame();
+    void refine();
     void draw(QPainter& painter);
 
     ScreenHost& host_;
@@ -53,6 +55,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     RasterPicture picture_;  ///< the worker's
     std::optional<RasterScene> asked_;
     std::optional<Frame> frame_;  ///< on the screen
+    QTimer rest_;                 ///< since a draft was made
     std::mutex mutex_;
     std::optional<Frame> made_;   ///< and not on it yet
     core::Worker<Frame> worker_;  ///< the last: it ends before what it works with

@@ -163,10 +163,15 @@ class Afar : public testing::Test {
         scene_.view = {{-15.0, -12.0}, 0.21};
     }
 
+    /// As it is to be, however slow the machine is.
+    static void show(RasterPicture& picture, const RasterScene& scene) {
+        picture.show(scene, pool());
+        while (picture.is_draft())
+            picture.refine(pool());
+    }
     static QImage shown(const RasterScene& scene) {
         RasterPicture picture;
-        picture.show(scene, Quality::Full, pool());
-        EXPECT_FALSE(picture.is_draft());
+        show(picture, scene);
         return picture.image();
     }
     void change(int x, int y) {
@@ -213,13 +218,13 @@ TEST_F(Afar, WhatIsDrawnInPartsIsWhatIsDrawnAtOnce) {
     for (const double angle_deg : {0.0, 25.0}) {
         scene_.view.angle_deg = angle_deg;
         RasterPicture picture;
-        picture.show(scene_, Quality::Full, pool());
+        show(picture, scene_);
         for (int step = 0; step < 4; ++step) {
             change(90 + 61 * step, 100 + 43 * step);
-            picture.show(scene_, Quality::Full, pool());
+            show(picture, scene_);
             EXPECT_EQ(picture.image(), shown(scene_)) << step << " at " << angle_deg;
             scene_.view.zoom *= 0.83;
-            picture.show(scene_, Quality::Full, pool());
+            show(picture, scene_);
             EXPECT_EQ(picture.image(), shown(scene_)) << step << " nearer or farther, at " << angle_deg;
         }
         scene_.view.zoom = 0.24;
@@ -228,14 +233,14 @@ TEST_F(Afar, WhatIsDrawnInPartsIsWhatIsDrawnAtOnce) {
 
 TEST_F(Afar, PaintAndLightThatChangeWhileSeenFromNearbyAreThereFromAfar) {
     RasterPicture picture;
-    picture.show(scene_, Quality::Full, pool());
+    show(picture, scene_);
     const ViewTransform afar = scene_.view;
     scene_.view = {{-200.0, -100.0}, 1.3};
-    picture.show(scene_, Quality::Full, pool());
+    show(picture, scene_);
     change(200, 120);
-    picture.show(scene_, Quality::Full, pool());
+    show(picture, scene_);
     scene_.view = afar;
-    picture.show(scene_, Quality::Full, pool());
+    show(picture, scene_);
     EXPECT_EQ(picture.image(), shown(scene_));
     for (const auto turn :
          {+[](Sight& sight) { sight.lighting.azimuth_deg = 20.0; },
@@ -244,11 +249,11 @@ TEST_F(Afar, PaintAndLightThatChangeWhileSeenFromNearbyAreThereFromAfar) {
           +[](Sight& sight) { sight.look = Look::Flat; }, +[](Sight& sight) { sight.look = Look::Wet; },
           +[](Sight& sight) { sight.look = Look::Lit; }}) {
         turn(scene_.sight);
-        picture.show(scene_, Quality::Full, pool());
+        show(picture, scene_);
         EXPECT_EQ(picture.image(), shown(scene_));
     }
     scene_.sight.painting = ridges(500, 700);
-    picture.show(scene_, Quality::Full, pool());
+    show(picture, scene_);
     EXPECT_EQ(picture.image(), shown(scene_)) << "another canvas";
 }
 
@@ -258,13 +263,13 @@ TEST_F(Afar, APictureThatIsMovedIsTheOneFromThere) {
         for (const glm::dvec2& by : {glm::dvec2{7.0, 0.0}, {-3.0, 11.0}, {0.0, -200.0}, {30.0, 25.0}}) {
             scene_.view = {{-35.0, -22.0}, zoom};
             RasterPicture picture;
-            picture.show(scene_, Quality::Full, pool());
+            show(picture, scene_);
             scene_.view.origin_px += by;
-            picture.show(scene_, Quality::Full, pool());
+            show(picture, scene_);
             EXPECT_EQ(picture.image(), shown(scene_)) << zoom << ' ' << by.x << ' ' << by.y;
             change(250, 200);
             scene_.view.origin_px += by;
-            picture.show(scene_, Quality::Full, pool());
+            show(picture, scene_);
             EXPECT_EQ(picture.image(), shown(scene_)) << "with other paint";
         }
 }
@@ -274,12 +279,10 @@ TEST_F(Afar, DraftsMoveAlongAndAreRefined) {
     scene_.window_px = {700, 500};
     scene_.sight.painting = ridges(2000, 1500);
     RasterPicture picture;
-    picture.show(scene_, Quality::Plain, pool());
+    EXPECT_TRUE(picture.show(scene_, pool()));
     ASSERT_TRUE(picture.is_draft());
     scene_.view.origin_px += glm::dvec2{40.0, -30.0};
-    picture.show(scene_, Quality::Plain, pool());
-    for (int i = 0; i < 100 && picture.is_draft(); ++i)
-        picture.refine(pool());
+    show(picture, scene_);
     EXPECT_EQ(picture.image(), shown(scene_));
 }
 

@@ -36,10 +36,17 @@ RasterScene scene_of(std::shared_ptr<const document::Snapshot> painting, float d
     return scene;
 }
 
-QImage shown(const RasterScene& scene) {
+/// As it is to be, however slow the machine is.
+void show(RasterPicture& picture, const RasterScene& scene) {
     core::ThreadPool pool(2);
+    picture.show(scene, pool);
+    while (picture.is_draft())
+        picture.refine(pool);
+}
+
+QImage shown(const RasterScene& scene) {
     RasterPicture picture;
-    picture.show(scene, Quality::Full, pool);
+    show(picture, scene);
     return picture.image();
 }
 
@@ -106,20 +113,19 @@ TEST(RasterPicture, HasTheMeanOfWhatItShows) {
 }
 
 TEST(RasterPicture, WhatIsDrawnInPartsIsWhatIsDrawnAtOnce) {
-    core::ThreadPool pool(2);
     const auto painting = bare_canvas(160, 120);
     RasterPicture picture;
     RasterScene scene = scene_of(painting, 0.4F);
     scene.ground = {0.21F, 0.21F, 0.21F};
     scene.view.origin_px = {10.0, -30.0};
-    picture.show(scene, Quality::Full, pool);
+    show(picture, scene);
     for (int step = 0; step < 3; ++step) {
         auto next = std::make_shared<document::Snapshot>(*scene.sight.painting);
         for (int y = 30; y < 40; ++y)
             for (int x = 20 + 7 * step; x < 28 + 7 * step; ++x)
                 next->film.thickness.set(x, y, 1000 * (x % 4));
         scene.sight.painting = next;
-        picture.show(scene, Quality::Full, pool);
+        show(picture, scene);
         EXPECT_EQ(picture.image(), shown(scene));
     }
 }
@@ -131,13 +137,12 @@ TEST(RasterPicture, ShowsTheCanvasThroughTheScreensColours) {
     scene.ground = {60.0F / 255.0F, 70.0F / 255.0F, 80.0F / 255.0F};
     scene.view.origin_px = {30.0, -30.0};  // of ground 30 columns
     const pigment::EncodedRgb plain = exact_colour(scene);
-    core::ThreadPool pool(2);
     RasterPicture picture;
-    picture.show(scene, Quality::Full, pool);
+    show(picture, scene);
     const QImage before = picture.image();
     scene.colours =
         files::screen_cube({.monitor = tests::made_monitor(tests::swapped_primaries(), kGamma)});
-    picture.show(scene, Quality::Full, pool);
+    show(picture, scene);
     EXPECT_EQ(picture.image(), shown(scene)) << "coloured anew is drawn anew";
     const auto mean = mean_levels(picture.image(), 40, 20);
     const double wanted[] = {plain[1], plain[0], plain[2]};
@@ -145,6 +150,22 @@ TEST(RasterPicture, ShowsTheCanvasThroughTheScreensColours) {
     for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(mean[i], 255.0 * std::pow(pigment::decode_srgb(wanted[i]), 1.0 / kGamma), 0.25);
     EXPECT_EQ(picture.image().copy(0, 0, 30, 48), before.copy(0, 0, 30, 48)) << "the ground";
+}
+
+/// Its pixels at the edges reach over the canvas by many cells.
+TEST(RasterPicture, IsADraftFromAfarToo) {
+    core::ThreadPool pool(2);
+    for (const Look look : {Look::Lit, Look::Flat, Look::Wet, Look::Normals})
+        for (const double zoom : {0.21, 0.17, 0.09, 0.04}) {
+            RasterScene scene = scene_of(bare_canvas(1050, 750), 0.4F);
+            scene.sight.look = look;
+            scene.window_px = {500, 400};
+            scene.view = {{3.3, 2.7}, zoom};
+            RasterPicture picture;
+            EXPECT_TRUE(picture.show(scene, pool)) << zoom;
+            show(picture, scene);
+            EXPECT_EQ(picture.image(), shown(scene)) << zoom;
+        }
 }
 
 TEST(RasterPicture, MarksWhatAPrinterHasNot) {
