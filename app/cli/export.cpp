@@ -10,6 +10,7 @@
 #include "core/thread_pool.hpp"
 #include "document/canvas.hpp"
 #include "files/file_access.hpp"
+#include "project/layered_copy.hpp"
 #include "project/repainting.hpp"
 #include "recordings/painting_export.hpp"
 #include "recordings/relief_export.hpp"
@@ -35,6 +36,17 @@ bool is_painting(const ExportOptions& options) {
     return project::is_project_path(options.output);
 }
 
+bool is_copy(const ExportOptions& options) {
+    return project::is_layered_copy_path(options.output);
+}
+
+/// What the output is called that --layers and --maps are not for; empty: a picture.
+std::string other_kind(const ExportOptions& options) {
+    if (is_painting(options)) return "a painting";
+    if (is_copy(options)) return "a copy in layers";
+    return recordings::is_relief_path(options.output) ? "a relief" : "";
+}
+
 void check_usage(const ExportOptions& options) {
     if (options.output.empty() && options.well.empty())
         throw UsageError("export needs a picture to make: -o FILE, or --well FILE.");
@@ -47,10 +59,12 @@ void check_usage(const ExportOptions& options) {
     if (is_painting(options) && !options.again_px_per_mm)
         throw UsageError(options.output +
                          ": a painting is made by painting it again: --again PX_PER_MM.");
-    if ((is_painting(options) || recordings::is_relief_path(options.output)) &&
-        (options.layers || options.maps))
+    if (!other_kind(options).empty() && (options.layers || options.maps))
         throw UsageError("--layers and --maps are for pictures; " + options.output + " is " +
-                         (is_painting(options) ? "a painting." : "a relief."));
+                         other_kind(options) + ".");
+    if (is_copy(options) && (options.flat || options.scale != 1.0))
+        throw UsageError("--flat and --scale are not for copies in layers such as " + options.output +
+                         ".");
 }
 
 /// What is wanted of the canvas and of the mixing well.
@@ -61,7 +75,7 @@ std::vector<recordings::ExportChoice> choices_of(const ExportOptions& options) {
     choice.picture = options.picture;
     choice.relief = {options.base_mm, options.exaggeration, options.resolution_mm};
     std::vector<recordings::ExportChoice> choices;
-    if (!options.output.empty() && !is_painting(options)) {
+    if (!options.output.empty() && !is_painting(options) && !is_copy(options)) {
         choices.push_back(choice);
         choices.back().kind = kind_of(options);
         choices.back().path = options.output;
@@ -100,6 +114,20 @@ void write(const document::PaintingState& painting, const recordings::ExportChoi
     if (report.status == files::ExportStatus::Stopped) throw Interrupted{};
     progress.clear();
     tell(choice, report);
+}
+
+void write_copy(const document::PaintingState& painting, const ExportOptions& options,
+                core::ThreadPool& pool) {
+    Progress progress("writing " + options.output, Progress::style_for_stderr(options.quiet));
+    const project::LayeredCopyReport report =
+        project::save_layered_copy({options.output}, painting, pool, [&](double done) {
+            progress.update(done);
+            return !is_interrupted();
+        });
+    if (report.status == files::ExportStatus::Stopped) throw Interrupted{};
+    progress.clear();
+    print("%s: %d x %d pixels, layers: %zu\n", options.output.c_str(), report.width_px, report.height_px,
+          report.layers);
 }
 
 project::Project loaded(const ExportOptions& options, core::ThreadPool& pool) {
@@ -161,10 +189,12 @@ void run_export(const ExportOptions& options) {
     for (const recordings::ExportChoice& choice : choices)
         recordings::check_export(choice);
     if (is_painting(options)) files::check_writable(options.output);
+    if (is_copy(options)) project::check_layered_copy({options.output});
     core::ThreadPool pool(options.threads);
     const project::Project project =
         options.again_px_per_mm ? painted_again(options, choices, pool) : loaded(options, pool);
     if (is_painting(options)) save(project, options, pool);
+    if (is_copy(options)) write_copy(project.painting, options, pool);
     for (const recordings::ExportChoice& choice : choices)
         write(project.painting, choice, pool, options.quiet);
 }

@@ -28,8 +28,9 @@ void add_export(CLI::App& program, ExportOptions& options) {
         "export", "Make a picture, maps or a printable relief of a project file");
     add_text(command, "PROJECT", options.project, "A painting: FILE.pastoso")->required();
     add_text(command, "-o,--output", options.output,
-             "The picture: .png, .tif, .jpg, .webp or .exr; or a relief for 3D printing, in "
-             "millimetres: .stl, .ply or .obj. With --again also a painting: .pastoso")
+             "The picture: .png, .tif, .jpg, .webp or .exr; its layers as pictures for other programs: "
+             ".ora or .psd; or a relief for 3D printing, in millimetres: .stl, .ply or .obj. With "
+             "--again also a painting: .pastoso")
         ->type_name("FILE");
     add_number(command, "--again", options.again_px_per_mm,
                {document::kMinPxPerMm, document::kMaxPxPerMm},
@@ -54,6 +55,7 @@ void add_export(CLI::App& program, ExportOptions& options) {
     add_quiet_flag(command, options.quiet);
     command.footer(
         "Example:\n  pastoso-cli export painting.pastoso -o painting.tif --depth 16 --scale 2\n"
+        "  pastoso-cli export painting.pastoso -o painting.psd\n"
         "  pastoso-cli export painting.pastoso -o painting.stl --base-mm 3 --exaggerate 2\n"
         "  pastoso-cli export painting.pastoso --again 16 -o finer.pastoso");
 }

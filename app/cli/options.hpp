@@ -42,7 +42,7 @@ struct ReplayOptions {
 
 struct ExportOptions {
     std::string project;
-    std::string output;  ///< a picture, a relief, or a painting that is painted again
+    std::string output;  ///< a picture, layers, a relief, or a painting that is painted again
     std::string well;
     std::optional<double> again_px_per_mm;  ///< to paint it again on such cells first
     double scale = 1.0;

@@ -21,6 +21,7 @@ constexpr const char* kView = QT_TR_NOOP("&View");
 constexpr const char* kLight = QT_TR_NOOP("&Light");
 constexpr const char* kSettings = QT_TR_NOOP("&Settings");
 constexpr const char* kLiquids = QT_TR_NOOP("Liqui&ds");
+constexpr const char* kHelp = QT_TR_NOOP("&Help");
 
 constexpr CommandText kCommands[] = {
     CommandText{Command::NewCanvas, kFile, QT_TR_NOOP("&New canvas..."), "Ctrl+N",
@@ -35,6 +36,8 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Save the painting with all its wet paint"), false, true},
     CommandText{Command::SavePaintingAs, kFile, QT_TR_NOOP("Save &as..."), "Ctrl+Shift+S",
                 QT_TR_NOOP("Save the painting in another file")},
+    CommandText{Command::SaveCopy, kFile, QT_TR_NOOP("Save a &copy..."), "",
+                QT_TR_NOOP("The layers as pictures for other programs, in OpenRaster or PSD")},
     CommandText{
         Command::Export, kFile, QT_TR_NOOP("&Export..."), "Ctrl+Alt+E",
         QT_TR_NOOP("Make a picture, layers, maps, a relief to print or a time-lapse of the painting"),
@@ -349,7 +352,7 @@ constexpr CommandText kCommands[] = {
     CommandText{Command::LiquidFullSpeed, kLiquids, QT_TR_NOOP("As &fast as it can"), "Shift+F4",
                 QT_TR_NOOP("Time in the glass passes as fast as it is computed"), true, false,
                 Mode::Liquid},
-    CommandText{Command::TeaForce, kLiquids, QT_TR_NOOP("S&tir"), "F1",
+    CommandText{Command::TeaForce, kLiquids, QT_TR_NOOP("S&tir"), "S",
                 QT_TR_NOOP("A force around an upright axis stirs the tea"), true, true, Mode::Tea},
     CommandText{Command::TeaRecentre, kLiquids, QT_TR_NOOP("Axis to the &middle"), "F2",
                 QT_TR_NOOP("The axis of the force stands in the middle of the glass again"), false,
@@ -410,6 +413,13 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Arrows show where the liquid flows, and how fast"), true, true, Mode::Tank},
     CommandText{Command::LiquidFrontView, kLiquids, QT_TR_NOOP("Look from the fr&ont"), "Ctrl+0",
                 QT_TR_NOOP("See the whole glass from the front again"), false, true, Mode::Liquid},
+    CommandText{Command::Manual, kHelp, QT_TR_NOOP("&Manual"), "F1",
+                QT_TR_NOOP("Read about what is under the pointer"), false, false, Mode::Everywhere},
+    CommandText{Command::WhatIsNew, kHelp, QT_TR_NOOP("What is &new"), "",
+                QT_TR_NOOP("What has changed, version by version"), false, false, Mode::Everywhere},
+    CommandText{Command::About, kHelp, QT_TR_NOOP("&About Pastoso"), "",
+                QT_TR_NOOP("Its version and licence, what it is made of, this machine, its folders"),
+                false, true, Mode::Everywhere},
 };
 
 }  // namespace

@@ -12,6 +12,7 @@ enum class Command {
     StartPage,
     SavePainting,
     SavePaintingAs,
+    SaveCopy,
     Export,
     ExportAgain,
     StopExport,
@@ -165,6 +166,9 @@ enum class Command {
     TankRender,
     TankRecordPictures,
     TankRecordSurfaces,
+    Manual,
+    WhatIsNew,
+    About,
 };
 
 /// What the window is about: the painting, or a liquid in its place. A command is given in one of them,

@@ -21,6 +21,7 @@ constexpr Name kNames[] = {
     {Command::StartPage, "start_page"},
     {Command::SavePainting, "save_painting"},
     {Command::SavePaintingAs, "save_painting_as"},
+    {Command::SaveCopy, "save_copy"},
     {Command::Export, "export"},
     {Command::ExportAgain, "export_again"},
     {Command::StopExport, "stop_export"},
@@ -174,6 +175,9 @@ constexpr Name kNames[] = {
     {Command::TankRender, "tank_render"},
     {Command::TankRecordPictures, "tank_record_pictures"},
     {Command::TankRecordSurfaces, "tank_record_surfaces"},
+    {Command::Manual, "manual"},
+    {Command::WhatIsNew, "what_is_new"},
+    {Command::About, "about"},
 };
 
 /// Files of before may have these; the keys in them go on giving the same.

@@ -53,6 +53,8 @@ ExportOutcome Exporter::written(ExportJob& job) {
     core::ThreadPool pool;
     if (const auto* choice = std::get_if<recordings::ExportChoice>(&job.choice))
         outcome.report = recordings::export_painting(job.painting, *choice, pool, keep_going);
+    else if (const auto* copy = std::get_if<project::LayeredCopy>(&job.choice))
+        outcome.report = project::save_layered_copy(*copy, job.painting, pool, keep_going);
     else
         outcome.report = recordings::export_timelapse(job.record.value().recording(),
                                                       std::get<recordings::TimelapseChoice>(job.choice),

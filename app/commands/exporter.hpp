@@ -1,9 +1,10 @@
-// Makes pictures, layers, maps, reliefs and time-lapses of a painting while the painter goes on
+// Makes pictures, layers, maps, reliefs, time-lapses and copies of a painting while the painter goes on
 // painting.
 #pragma once
 
 #include "core/worker.hpp"
 #include "document/recorder.hpp"
+#include "project/layered_copy.hpp"
 #include "recordings/painting_export.hpp"
 #include "recordings/timelapse.hpp"
 
@@ -21,7 +22,7 @@ namespace pastoso::commands {
 struct ExportJob {
     document::PaintingState painting;
     std::optional<document::Recorder> record;  ///< of what a time-lapse shows; otherwise none
-    std::variant<recordings::ExportChoice, recordings::TimelapseChoice> choice;
+    std::variant<recordings::ExportChoice, recordings::TimelapseChoice, project::LayeredCopy> choice;
 };
 
 std::filesystem::path path_of(const ExportJob& job);
@@ -29,7 +30,8 @@ std::filesystem::path path_of(const ExportJob& job);
 struct ExportOutcome {
     std::filesystem::path path;
     std::string error{};  ///< one sentence; empty when the export was written or stopped
-    std::variant<recordings::ExportReport, recordings::TimelapseReport> report{};  ///< without an error
+    std::variant<recordings::ExportReport, recordings::TimelapseReport, project::LayeredCopyReport>
+        report{};  ///< without an error
 
     files::ExportStatus status() const;
 };

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/looking.hpp"
 #include "core/memory.hpp"
+#include "core/units.hpp"
 #include "dialogs/length_box.hpp"
 #include "document/canvas.hpp"
 #include "files/file_access.hpp"
@@ -43,7 +44,7 @@ QString picture_words(const grid::Shape& size, const recordings::ExportedCells& 
         .arg(size.width)
         .arg(size.height)
         .arg(length(cells.shape.width * cells.cell_mm), length(cells.shape.height * cells.cell_mm))
-        .arg(std::lround(scale / cells.cell_mm * kInch_mm));
+        .arg(std::lround(scale / cells.cell_mm * core::kInch_mm));
 }
 
 QString map_words(const grid::Shape& size, const Path& path) {

@@ -1,5 +1,7 @@
 #include "dialogs/length_box.hpp"
 
+#include "core/units.hpp"
+
 #include <utility>
 
 namespace pastoso::dialogs {
@@ -27,17 +29,21 @@ std::optional<double> read(const QString& words, const QLocale& locale, const Un
 }  // namespace
 
 std::optional<double> read_length_mm(const QString& words, const QLocale& locale) {
-    constexpr Unit kUnits[] = {{QLatin1String("mm"), 1.0},        {QLatin1String("cm"), 10.0},
-                               {QLatin1String("m"), 1000.0},      {QLatin1String("inches"), kInch_mm},
-                               {QLatin1String("inch"), kInch_mm}, {QLatin1String("in"), kInch_mm},
-                               {QLatin1String("\""), kInch_mm},   {QLatin1String(""), 1.0}};
+    constexpr Unit kUnits[] = {{QLatin1String("mm"), 1.0},
+                               {QLatin1String("cm"), 10.0},
+                               {QLatin1String("m"), 1000.0},
+                               {QLatin1String("inches"), core::kInch_mm},
+                               {QLatin1String("inch"), core::kInch_mm},
+                               {QLatin1String("in"), core::kInch_mm},
+                               {QLatin1String("\""), core::kInch_mm},
+                               {QLatin1String(""), 1.0}};
     return read(words, locale, kUnits);
 }
 
 std::optional<double> read_px_per_mm(const QString& words, const QLocale& locale) {
     constexpr Unit kUnits[] = {{QLatin1String("px/mm"), 1.0},
-                               {QLatin1String("dpi"), 1.0 / kInch_mm},
-                               {QLatin1String("ppi"), 1.0 / kInch_mm},
+                               {QLatin1String("dpi"), 1.0 / core::kInch_mm},
+                               {QLatin1String("ppi"), 1.0 / core::kInch_mm},
                                {QLatin1String(""), 1.0}};
     return read(words, locale, kUnits);
 }

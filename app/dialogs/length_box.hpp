@@ -32,6 +32,4 @@ std::optional<double> read_length_mm(const QString& words, const QLocale& locale
 /// "5", "5 px/mm" or "127 dpi" (ppi); a number alone is of pixels per millimetre.
 std::optional<double> read_px_per_mm(const QString& words, const QLocale& locale);
 
-inline constexpr double kInch_mm = 25.4;
-
 }  // namespace pastoso::dialogs

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/memory.hpp"
+#include "core/units.hpp"
 #include "dialogs/length_box.hpp"
 #include "dialogs/support_choices.hpp"
 #include "document/canvas.hpp"
@@ -135,7 +136,7 @@ void NewCanvasDialog::write_summary() {
         text = tr("A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.")
                    .arg(shape.width)
                    .arg(shape.height)
-                   .arg(std::lround(kInch_mm * wanted.px_per_mm))
+                   .arg(std::lround(core::kInch_mm * wanted.px_per_mm))
                    .arg(document::estimated_bytes(shape) >> 20U);
         text += QLatin1Char('\n') + shown_words(wanted.px_per_mm) + QLatin1Char(' ') +
                 pace_words(wanted.px_per_mm);

@@ -1,4 +1,5 @@
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "files/file_head.hpp"
 #include "files/image.hpp"
 #include "files/picture_format.hpp"
@@ -64,7 +65,7 @@ void check_profile(const PictureHead& head, const std::string& name) {
 
 /// What programs write that know no resolution.
 bool says_nothing(double px_per_mm) {
-    const double px_per_inch = std::round(25.4 * px_per_mm);
+    const double px_per_inch = std::round(core::kInch_mm * px_per_mm);
     return px_per_inch < 1.0 || px_per_inch == 72.0 || px_per_inch == 96.0 || !(px_per_mm < 1e4);
 }
 

@@ -1,3 +1,4 @@
+#include "core/units.hpp"
 #include "files/images_abi.hpp"
 #include "files/images_reading.hpp"
 
@@ -66,8 +67,8 @@ OIIO::ImageSpec spec_of(const PastosoPicture& picture) {
     if (webp) spec.attribute("Compression", "webp:" + std::to_string(picture.quality));
     spec.attribute("CompressionQuality", picture.quality);
     if (picture.px_per_mm > 0.0) {
-        spec.attribute("XResolution", static_cast<float>(picture.px_per_mm * 25.4));
-        spec.attribute("YResolution", static_cast<float>(picture.px_per_mm * 25.4));
+        spec.attribute("XResolution", static_cast<float>(picture.px_per_mm * pastoso::core::kInch_mm));
+        spec.attribute("YResolution", static_cast<float>(picture.px_per_mm * pastoso::core::kInch_mm));
         spec.attribute("ResolutionUnit", "in");
     }
     return spec;

@@ -1,5 +1,7 @@
 #include "files/images_reading.hpp"
 
+#include "core/units.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <fcntl.h>
@@ -45,7 +47,7 @@ std::string size_problem(const OIIO::ImageSpec& spec) {
 
 /// Millimetres in the unit that a file gives its resolution in; 0 where that says nothing of a size.
 double unit_mm(const std::string& unit) {
-    if (unit == "in" || unit == "inch") return 25.4;
+    if (unit == "in" || unit == "inch") return pastoso::core::kInch_mm;
     if (unit == "cm") return 10.0;
     return unit == "m" ? 1000.0 : 0.0;
 }

@@ -1,5 +1,7 @@
 #include "project/open_raster.hpp"
 
+#include "core/units.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -84,8 +86,7 @@ pigment::LinearImage thumbnail_of(const pigment::LinearImage& picture, int longe
 
 std::string stack_xml(int width_px, int height_px, double px_per_mm,
                       const std::vector<StackLayer>& layers) {
-    constexpr double kMmPerInch = 25.4;
-    const auto density = std::to_string(std::max(1L, std::lround(px_per_mm * kMmPerInch)));
+    const auto density = std::to_string(std::max(1L, std::lround(px_per_mm * core::kInch_mm)));
     std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<image version=\"0.0.3\" w=\"" +
                       std::to_string(width_px) + "\" h=\"" + std::to_string(height_px) + "\" xres=\"" +
                       density + "\" yres=\"" + density + "\">\n <stack>\n";

@@ -17,16 +17,19 @@ namespace {
 using document::LayerStack;
 using document::PaintingState;
 
-int coarseness(const grid::Shape& shape) {
+int coarseness(const grid::Shape& shape, int longest_px) {
     int factor = 1;
-    while (std::max(shape.width, shape.height) > factor * kLongestPicture_px)
+    while (std::max(shape.width, shape.height) > factor * longest_px)
         factor *= 2;
     return factor;
 }
 
-pigment::LinearImage picture_of(const film::FilmState& film, core::ThreadPool& pool) {
-    const int factor = coarseness(film.shape);
-    const film::FilmState small = factor == 1 ? film : coarse_film(film, factor, pool);
+film::FilmState small_film(const film::FilmState& film, int factor, core::ThreadPool& pool) {
+    return factor == 1 ? film : coarse_film(film, factor, pool);
+}
+
+pigment::LinearImage picture_of(const film::FilmState& film, int factor, core::ThreadPool& pool) {
+    const film::FilmState small = small_film(film, factor, pool);
     return shade::render(small, document::kPrimedGround, small.shape.cells(), {}, pool);
 }
 
@@ -40,9 +43,8 @@ pigment::LinearImage linear_of(const pigment::Picture& picture) {
 }
 
 /// Where a layer holds paint.
-std::vector<std::uint8_t> cover_of(const film::FilmState& layer, core::ThreadPool& pool) {
-    const int factor = coarseness(layer.shape);
-    const film::FilmState small = factor == 1 ? layer : coarse_film(layer, factor, pool);
+std::vector<std::uint8_t> cover_of(const film::FilmState& layer, int factor, core::ThreadPool& pool) {
+    const film::FilmState small = small_film(layer, factor, pool);
     std::vector<std::uint8_t> covered;
     covered.reserve(static_cast<std::size_t>(small.shape.width) * small.shape.height);
     for (int y = 0; y < small.shape.height; ++y) {
@@ -57,26 +59,32 @@ std::vector<std::uint8_t> cover_of(const film::FilmState& layer, core::ThreadPoo
     return covered;
 }
 
-/// Each view is one layer laid over that of all below: a View keeps what it saw.
-void add_layer_pictures(const PaintingState& painting, core::ThreadPool& pool, Pictures& pictures) {
+/// Each view is one layer laid over that of all below: a View keeps what it saw. Returns whether it went
+/// on to the end.
+bool add_layer_pictures(const PaintingState& painting, int factor, core::ThreadPool& pool,
+                        const files::KeepGoing& keep_going, Pictures& pictures) {
     const film::FilmState& film = painting.value.film;
     film::FilmState canvas(film.shape, film.cell_mm);
     canvas.support_mm = painting.value.bare->support_mm;
-    pictures.layers = {{"Canvas", true, picture_of(canvas, pool), {}}};
+    pictures.merged = picture_of(canvas, factor, pool);
+    pictures.layers = {{"Canvas", true, pigment::encode_srgb8(pictures.merged), {}}};
     const document::LayerFilms films =
         document::layers_apart(film, painting.value.bare->support_mm, painting.value.layers);
     layers::View view;
     std::vector<layers::SeenLayer> seen;
     for (std::size_t place = 0; place < films.size(); ++place) {
+        if (!keep_going(static_cast<double>(place) / static_cast<double>(films.size()))) return false;
         const document::LayerLook look = document::effective_look(painting.value.layers, place);
         seen.push_back({films[place].get(), look.opacity});
-        pictures.layers.push_back({look.name, look.visible,
-                                   picture_of(view.of(canvas, seen, pool), pool),
-                                   cover_of(*films[place], pool)});
-        if (!look.visible) seen.pop_back();
+        pigment::LinearImage picture = picture_of(view.of(canvas, seen, pool), factor, pool);
+        pictures.layers.push_back({look.name, look.visible, pigment::encode_srgb8(picture),
+                                   cover_of(*films[place], factor, pool)});
+        if (look.visible)
+            pictures.merged = std::move(picture);
+        else
+            seen.pop_back();
     }
-    pictures.merged = pictures.layers.back().visible ? pictures.layers.back().picture
-                                                     : picture_of(view.of(canvas, seen, pool), pool);
+    return true;
 }
 
 std::string entry_of(const Pictures& pictures, std::size_t index) {
@@ -86,21 +94,31 @@ std::string entry_of(const Pictures& pictures, std::size_t index) {
 
 }  // namespace
 
-Pictures pictures_of(const PaintingState& painting, core::ThreadPool& pool) {
+std::optional<Pictures> pictures_of(const PaintingState& painting, int longest_px,
+                                    core::ThreadPool& pool, const files::KeepGoing& keep_going) {
+    const int factor = coarseness(painting.value.film.shape, longest_px);
     Pictures pictures;
-    if (document::is_single(painting.value.layers)) {
-        pictures.merged = picture_of(painting.value.film, pool);
-        pictures.layers = {{painting.value.layers.layers[0].look.name, true, pictures.merged, {}}};
+    if (!document::is_single(painting.value.layers)) {
+        if (!add_layer_pictures(painting, factor, pool, keep_going, pictures)) return std::nullopt;
     } else {
-        add_layer_pictures(painting, pool, pictures);
+        pictures.merged = picture_of(painting.value.film, factor, pool);
+        pictures.layers = {{painting.value.layers.layers[0].look.name,
+                            true,
+                            pigment::encode_srgb8(pictures.merged),
+                            {}}};
     }
     pictures.px_per_mm = pictures.merged.width / painting.value.bare->settings.width_mm;
     return pictures;
 }
 
+Pictures pictures_of(const PaintingState& painting, core::ThreadPool& pool) {
+    return *pictures_of(painting, kLongestPicture_px, pool, [](double) { return true; });
+}
+
 std::string thumbnail_file(const PaintingState& painting, core::ThreadPool& pool) {
     const document::Painting seen(painting, pool);
-    return files::png_file(pigment::encode_srgb8(thumbnail_of(picture_of(seen.snapshot().film, pool))));
+    return files::png_file(pigment::encode_srgb8(thumbnail_of(picture_of(
+        seen.snapshot().film, coarseness(seen.snapshot().film.shape, kLongestPicture_px), pool))));
 }
 
 std::string layer_picture(std::size_t place) {
@@ -118,8 +136,7 @@ std::vector<PictureFile> picture_files(const Pictures& pictures) {
     for (std::size_t i = 0; pictures.layers.size() > 1 && i < pictures.layers.size(); ++i)
         files.push_back({entry_of(pictures, i), [&pictures, i] {
                              const LayerPicture& layer = pictures.layers[i];
-                             return files::png_file(pigment::encode_srgb8(layer.picture),
-                                                    pictures.px_per_mm, layer.covered);
+                             return files::png_file(layer.picture, pictures.px_per_mm, layer.covered);
                          }});
     files.push_back({"Thumbnails/thumbnail.png", [&pictures] {
                          return files::png_file(pigment::encode_srgb8(thumbnail_of(pictures.merged)));

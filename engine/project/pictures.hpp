@@ -3,18 +3,19 @@
 
 #include "core/thread_pool.hpp"
 #include "document/painting_state.hpp"
+#include "files/keep_going.hpp"
 #include "shade/render.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pastoso::project {
 
-/// The longest side of the pictures: of a larger canvas, a half, a fourth ... of the resolution is
-/// shown.
+/// The longest side of those in a project.
 inline constexpr int kLongestPicture_px = 2048;
 
 /// All that lies at and below a layer, cut out where the layer holds paint: laid over one another, such
@@ -22,7 +23,7 @@ inline constexpr int kLongestPicture_px = 2048;
 struct LayerPicture {
     std::string name;
     bool visible = true;
-    pigment::LinearImage picture;
+    pigment::Image8 picture;
     std::vector<std::uint8_t> covered{};  ///< 255 or 0 a pixel; empty: everywhere
 };
 
@@ -33,6 +34,12 @@ struct Pictures {
     std::vector<LayerPicture> layers{};
 };
 
+/// Of a canvas that is larger, a half, a fourth ... of the resolution is shown. None where `keep_going`
+/// stopped it.
+std::optional<Pictures> pictures_of(const document::PaintingState& painting, int longest_px,
+                                    core::ThreadPool& pool, const files::KeepGoing& keep_going);
+
+/// Those in a project.
 Pictures pictures_of(const document::PaintingState& painting, core::ThreadPool& pool);
 
 /// What load_thumbnail() gives of a project of that painting.

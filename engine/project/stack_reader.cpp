@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/units.hpp"
 #include "document/layers.hpp"
 #include "pigment/image.hpp"
 #include "project/xml_elements.hpp"
@@ -18,7 +19,6 @@ namespace {
 using document::LayerLook;
 
 constexpr double kFarthest_px = 1e6;
-constexpr double kMm_per_inch = 25.4;
 /// What programs write that know no resolution.
 constexpr double kSaysNothing_dpi = 72.0;
 
@@ -120,8 +120,8 @@ class StackReader {
         const double x_dpi = element.number("xres", kSaysNothing_dpi, 1.0, 1e5);
         const double y_dpi = element.number("yres", x_dpi, 1.0, 1e5);
         if (x_dpi == kSaysNothing_dpi) return;
-        stack_.px_per_mm_x = x_dpi / kMm_per_inch;
-        stack_.px_per_mm_y = y_dpi / kMm_per_inch;
+        stack_.px_per_mm_x = x_dpi / core::kInch_mm;
+        stack_.px_per_mm_y = y_dpi / core::kInch_mm;
     }
 
     /// The outermost stack is the picture itself, those in it are groups, and what is in these is flat.

@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Painting with thick wet paint</source>
+        <translation>Painting with thick wet paint</translation>
+    </message>
+    <message>
+        <source>The Pastoso authors</source>
+        <translation>The Pastoso authors</translation>
+    </message>
+    <message>
+        <source>Free software: you may use, study, share and change it under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
+        <translation>Free software: you may use, study, share and change it under the GNU General Public License, version 3 or later. It comes without any warranty.</translation>
+    </message>
+</context>
+<context>
     <name>CanvasChoices</name>
     <message>
         <source>Small study</source>
@@ -124,6 +139,13 @@
     </message>
 </context>
 <context>
+    <name>FactList</name>
+    <message>
+        <source>Copy</source>
+        <translation>Copy</translation>
+    </message>
+</context>
+<context>
     <name>Findable</name>
     <message>
         <source>Take this tool in hand</source>
@@ -140,6 +162,29 @@
     <message>
         <source>Medium</source>
         <translation>Medium</translation>
+    </message>
+</context>
+<context>
+    <name>FolderFacts</name>
+    <message>
+        <source>none</source>
+        <translation>none</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Settings</translation>
+    </message>
+    <message>
+        <source>Your tools, paints and lamps</source>
+        <translation>Your tools, paints and lamps</translation>
+    </message>
+    <message>
+        <source>Paintings that are not saved</source>
+        <translation>Paintings that are not saved</translation>
+    </message>
+    <message>
+        <source>What the program brings along</source>
+        <translation>What the program brings along</translation>
     </message>
 </context>
 <context>
@@ -499,6 +544,18 @@
     <message>
         <source>Turns</source>
         <translation>Turns</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>What is new</source>
+        <translation>What is new</translation>
+    </message>
+    <message>
+        <source>About Pastoso</source>
+        <translation>About Pastoso</translation>
     </message>
 </context>
 <context>
@@ -2241,6 +2298,42 @@
         <source>The painting in greys as light as its colours: darks and lights by themselves</source>
         <translation>The painting in greys as light as its colours: darks and lights by themselves</translation>
     </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Help</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manual</translation>
+    </message>
+    <message>
+        <source>Read about what is under the pointer</source>
+        <translation>Read about what is under the pointer</translation>
+    </message>
+    <message>
+        <source>What is &amp;new</source>
+        <translation>What is &amp;new</translation>
+    </message>
+    <message>
+        <source>What has changed, version by version</source>
+        <translation>What has changed, version by version</translation>
+    </message>
+    <message>
+        <source>&amp;About Pastoso</source>
+        <translation>&amp;About Pastoso</translation>
+    </message>
+    <message>
+        <source>Its version and licence, what it is made of, this machine, its folders</source>
+        <translation>Its version and licence, what it is made of, this machine, its folders</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy...</source>
+        <translation>Save a &amp;copy...</translation>
+    </message>
+    <message>
+        <source>The layers as pictures for other programs, in OpenRaster or PSD</source>
+        <translation>The layers as pictures for other programs, in OpenRaster or PSD</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3048,10 +3141,6 @@
     <message>
         <source>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</source>
         <translation>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Copy</translation>
     </message>
     <message numerus="yes">
         <source> minute(s)</source>
@@ -4129,6 +4218,71 @@
     </message>
 </context>
 <context>
+    <name>pastoso::help::AboutDialog</name>
+    <message>
+        <source>About Pastoso</source>
+        <translation>About Pastoso</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>This machine</source>
+        <translation>This machine</translation>
+    </message>
+    <message>
+        <source>Folders</source>
+        <translation>Folders</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Libraries</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Licence</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::help::HelpView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Page of the manual</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::help::HelpWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Search the manual</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Pages of the manual</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>What was found</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Back</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Forward</translation>
+    </message>
+    <message>
+        <source>Nothing is found.</source>
+        <translation>Nothing is found.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -4598,6 +4752,25 @@
     <message>
         <source>Export...</source>
         <translation>Export...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %1: %n layer(s) of %2 × %3 pixels.</source>
+        <translation>
+            <numerusform>Saved %1: %n layer of %2 × %3 pixels.</numerusform>
+            <numerusform>Saved %1: %n layers of %2 × %3 pixels.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>OpenRaster (*.ora)</source>
+        <translation>OpenRaster (*.ora)</translation>
+    </message>
+    <message>
+        <source>Photoshop (*.psd)</source>
+        <translation>Photoshop (*.psd)</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Save a copy</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Painting with thick wet paint</source>
+        <translation>厚くて乾いていない絵具で描く</translation>
+    </message>
+    <message>
+        <source>The Pastoso authors</source>
+        <translation>Pastoso の作者たち</translation>
+    </message>
+    <message>
+        <source>Free software: you may use, study, share and change it under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
+        <translation>自由ソフトウェアです。GNU 一般公衆利用許諾書（バージョン 3 以降）のもとで、使用、研究、共有、変更ができます。いかなる保証もありません。</translation>
+    </message>
+</context>
+<context>
     <name>CanvasChoices</name>
     <message>
         <source>Small study</source>
@@ -124,6 +139,13 @@
     </message>
 </context>
 <context>
+    <name>FactList</name>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+</context>
+<context>
     <name>Findable</name>
     <message>
         <source>Take this tool in hand</source>
@@ -140,6 +162,29 @@
     <message>
         <source>Medium</source>
         <translation>メディウム</translation>
+    </message>
+</context>
+<context>
+    <name>FolderFacts</name>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Your tools, paints and lamps</source>
+        <translation>自分の道具、絵具、ランプ</translation>
+    </message>
+    <message>
+        <source>Paintings that are not saved</source>
+        <translation>保存していない絵</translation>
+    </message>
+    <message>
+        <source>What the program brings along</source>
+        <translation>プログラムに付属するもの</translation>
     </message>
 </context>
 <context>
@@ -499,6 +544,18 @@
     <message>
         <source>Turns</source>
         <translation>向きを合わせる</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>マニュアル</translation>
+    </message>
+    <message>
+        <source>What is new</source>
+        <translation>新しくなったこと</translation>
+    </message>
+    <message>
+        <source>About Pastoso</source>
+        <translation>Pastoso について</translation>
     </message>
 </context>
 <context>
@@ -2241,6 +2298,42 @@
         <source>The painting in greys as light as its colours: darks and lights by themselves</source>
         <translation>絵を、色と同じ明るさのグレーで見る。明暗だけが分かる</translation>
     </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>ヘルプ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>マニュアル(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Read about what is under the pointer</source>
+        <translation>ポインターの下にあるものについて読む</translation>
+    </message>
+    <message>
+        <source>What is &amp;new</source>
+        <translation>新しくなったこと(&amp;N)</translation>
+    </message>
+    <message>
+        <source>What has changed, version by version</source>
+        <translation>バージョンごとの変更点</translation>
+    </message>
+    <message>
+        <source>&amp;About Pastoso</source>
+        <translation>Pastoso について(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Its version and licence, what it is made of, this machine, its folders</source>
+        <translation>バージョンとライセンス、使っているライブラリ、このコンピューター、フォルダー</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy...</source>
+        <translation>コピーを保存(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>The layers as pictures for other programs, in OpenRaster or PSD</source>
+        <translation>レイヤーを画像として、ほかのプログラムのために OpenRaster か PSD で保存する</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3044,10 +3137,6 @@
     <message>
         <source>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</source>
         <translation>動いている絵の具をどこまで細かく表示するかは、コンピューターの描画速度で決まります。止まっている絵の具は常に完全に表示されます。</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>コピー</translation>
     </message>
     <message numerus="yes">
         <source> minute(s)</source>
@@ -4121,6 +4210,71 @@
     </message>
 </context>
 <context>
+    <name>pastoso::help::AboutDialog</name>
+    <message>
+        <source>About Pastoso</source>
+        <translation>Pastoso について</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>This machine</source>
+        <translation>このコンピューター</translation>
+    </message>
+    <message>
+        <source>Folders</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>ライブラリ</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>ライセンス</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::help::HelpView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>マニュアルのページ</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::help::HelpWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>マニュアル</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>マニュアルを検索</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>マニュアルのページ一覧</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>見つかったもの</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>進む</translation>
+    </message>
+    <message>
+        <source>Nothing is found.</source>
+        <translation>何も見つかりません。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -4588,6 +4742,24 @@
     <message>
         <source>Export...</source>
         <translation>エクスポート...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %1: %n layer(s) of %2 × %3 pixels.</source>
+        <translation>
+            <numerusform>%1 を保存しました：レイヤー %n 枚、%2 × %3 ピクセル。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>OpenRaster (*.ora)</source>
+        <translation>OpenRaster (*.ora)</translation>
+    </message>
+    <message>
+        <source>Photoshop (*.psd)</source>
+        <translation>Photoshop (*.psd)</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>コピーを保存</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Painting with thick wet paint</source>
+        <translation>Måla med tjock, våt färg</translation>
+    </message>
+    <message>
+        <source>The Pastoso authors</source>
+        <translation>Pastosos upphovspersoner</translation>
+    </message>
+    <message>
+        <source>Free software: you may use, study, share and change it under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
+        <translation>Fri programvara: du får använda, studera, dela och ändra den under GNU General Public License, version 3 eller senare. Den ges helt utan garanti.</translation>
+    </message>
+</context>
+<context>
     <name>CanvasChoices</name>
     <message>
         <source>Small study</source>
@@ -124,6 +139,13 @@
     </message>
 </context>
 <context>
+    <name>FactList</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiera</translation>
+    </message>
+</context>
+<context>
     <name>Findable</name>
     <message>
         <source>Take this tool in hand</source>
@@ -140,6 +162,29 @@
     <message>
         <source>Medium</source>
         <translation>Medium</translation>
+    </message>
+</context>
+<context>
+    <name>FolderFacts</name>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Inställningar</translation>
+    </message>
+    <message>
+        <source>Your tools, paints and lamps</source>
+        <translation>Egna verktyg, färger och lampor</translation>
+    </message>
+    <message>
+        <source>Paintings that are not saved</source>
+        <translation>Målningar som inte är sparade</translation>
+    </message>
+    <message>
+        <source>What the program brings along</source>
+        <translation>Det som följer med programmet</translation>
     </message>
 </context>
 <context>
@@ -499,6 +544,18 @@
     <message>
         <source>Turns</source>
         <translation>Vrids</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbok</translation>
+    </message>
+    <message>
+        <source>What is new</source>
+        <translation>Nyheter</translation>
+    </message>
+    <message>
+        <source>About Pastoso</source>
+        <translation>Om Pastoso</translation>
     </message>
 </context>
 <context>
@@ -2241,6 +2298,42 @@
         <source>The painting in greys as light as its colours: darks and lights by themselves</source>
         <translation>Målningen i gråtoner lika ljusa som dess färger: mörker och ljus för sig</translation>
     </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hjälp</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbok</translation>
+    </message>
+    <message>
+        <source>Read about what is under the pointer</source>
+        <translation>Läs om det som finns under pekaren</translation>
+    </message>
+    <message>
+        <source>What is &amp;new</source>
+        <translation>&amp;Nyheter</translation>
+    </message>
+    <message>
+        <source>What has changed, version by version</source>
+        <translation>Vad som har ändrats, version för version</translation>
+    </message>
+    <message>
+        <source>&amp;About Pastoso</source>
+        <translation>&amp;Om Pastoso</translation>
+    </message>
+    <message>
+        <source>Its version and licence, what it is made of, this machine, its folders</source>
+        <translation>Version och licens, vad det består av, den här datorn, mapparna</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy...</source>
+        <translation>Spara en &amp;kopia...</translation>
+    </message>
+    <message>
+        <source>The layers as pictures for other programs, in OpenRaster or PSD</source>
+        <translation>Lagren som bilder för andra program, i OpenRaster eller PSD</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3048,10 +3141,6 @@
     <message>
         <source>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</source>
         <translation>Hur noga färg i rörelse visas beror på hur snabbt den här datorn ritar; det som står stilla visas alltid i full kvalitet.</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopiera</translation>
     </message>
     <message numerus="yes">
         <source> minute(s)</source>
@@ -4129,6 +4218,71 @@
     </message>
 </context>
 <context>
+    <name>pastoso::help::AboutDialog</name>
+    <message>
+        <source>About Pastoso</source>
+        <translation>Om Pastoso</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>This machine</source>
+        <translation>Den här datorn</translation>
+    </message>
+    <message>
+        <source>Folders</source>
+        <translation>Mappar</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotek</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Licens</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::help::HelpView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Sida i handboken</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::help::HelpWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbok</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Sök i handboken</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>Handbokens sidor</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Sökträffar</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tillbaka</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Framåt</translation>
+    </message>
+    <message>
+        <source>Nothing is found.</source>
+        <translation>Inget hittades.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -4598,6 +4752,25 @@
     <message>
         <source>Export...</source>
         <translation>Exportera...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %1: %n layer(s) of %2 × %3 pixels.</source>
+        <translation>
+            <numerusform>Sparade %1: %n lager med %2 × %3 pixlar.</numerusform>
+            <numerusform>Sparade %1: %n lager med %2 × %3 pixlar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>OpenRaster (*.ora)</source>
+        <translation>OpenRaster (*.ora)</translation>
+    </message>
+    <message>
+        <source>Photoshop (*.psd)</source>
+        <translation>Photoshop (*.psd)</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Spara en kopia</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_TW" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Painting with thick wet paint</source>
+        <translation>用厚而未乾的顏料作畫</translation>
+    </message>
+    <message>
+        <source>The Pastoso authors</source>
+        <translation>Pastoso 的作者</translation>
+    </message>
+    <message>
+        <source>Free software: you may use, study, share and change it under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
+        <translation>自由軟體：您可以依 GNU 通用公共授權條款第 3 版或更新版本使用、研究、分享及修改。不附任何擔保。</translation>
+    </message>
+</context>
+<context>
     <name>CanvasChoices</name>
     <message>
         <source>Small study</source>
@@ -124,6 +139,13 @@
     </message>
 </context>
 <context>
+    <name>FactList</name>
+    <message>
+        <source>Copy</source>
+        <translation>複製</translation>
+    </message>
+</context>
+<context>
     <name>Findable</name>
     <message>
         <source>Take this tool in hand</source>
@@ -140,6 +162,29 @@
     <message>
         <source>Medium</source>
         <translation>媒材</translation>
+    </message>
+</context>
+<context>
+    <name>FolderFacts</name>
+    <message>
+        <source>none</source>
+        <translation>無</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Your tools, paints and lamps</source>
+        <translation>您的工具、顏料與燈</translation>
+    </message>
+    <message>
+        <source>Paintings that are not saved</source>
+        <translation>未儲存的畫作</translation>
+    </message>
+    <message>
+        <source>What the program brings along</source>
+        <translation>程式附帶的資料</translation>
     </message>
 </context>
 <context>
@@ -499,6 +544,18 @@
     <message>
         <source>Turns</source>
         <translation>隨筆轉</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>使用手冊</translation>
+    </message>
+    <message>
+        <source>What is new</source>
+        <translation>新功能</translation>
+    </message>
+    <message>
+        <source>About Pastoso</source>
+        <translation>關於 Pastoso</translation>
     </message>
 </context>
 <context>
@@ -2241,6 +2298,42 @@
         <source>The painting in greys as light as its colours: darks and lights by themselves</source>
         <translation>以與顏色同樣明亮的灰階顯示畫作：只看明暗</translation>
     </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>說明(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>使用手冊(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Read about what is under the pointer</source>
+        <translation>閱讀指標下方項目的說明</translation>
+    </message>
+    <message>
+        <source>What is &amp;new</source>
+        <translation>新功能(&amp;N)</translation>
+    </message>
+    <message>
+        <source>What has changed, version by version</source>
+        <translation>各版本的變更</translation>
+    </message>
+    <message>
+        <source>&amp;About Pastoso</source>
+        <translation>關於 Pastoso(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Its version and licence, what it is made of, this machine, its folders</source>
+        <translation>版本與授權、所用的程式庫、這台電腦、資料夾</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy...</source>
+        <translation>儲存副本(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>The layers as pictures for other programs, in OpenRaster or PSD</source>
+        <translation>將圖層以圖片形式存成 OpenRaster 或 PSD，供其他程式使用</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -3044,10 +3137,6 @@
     <message>
         <source>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</source>
         <translation>流動中的顏料顯示得多細緻，取決於這部電腦的繪圖速度；靜止的部分一律完整顯示。</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>複製</translation>
     </message>
     <message numerus="yes">
         <source> minute(s)</source>
@@ -4121,6 +4210,71 @@
     </message>
 </context>
 <context>
+    <name>pastoso::help::AboutDialog</name>
+    <message>
+        <source>About Pastoso</source>
+        <translation>關於 Pastoso</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程式</translation>
+    </message>
+    <message>
+        <source>This machine</source>
+        <translation>這部電腦</translation>
+    </message>
+    <message>
+        <source>Folders</source>
+        <translation>資料夾</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>程式庫</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>授權</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::help::HelpView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>使用手冊的頁面</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::help::HelpWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>使用手冊</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>搜尋使用手冊</translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation>使用手冊的各頁</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>搜尋結果</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一頁</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>下一頁</translation>
+    </message>
+    <message>
+        <source>Nothing is found.</source>
+        <translation>找不到任何內容。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -4588,6 +4742,24 @@
     <message>
         <source>Export...</source>
         <translation>匯出...</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %1: %n layer(s) of %2 × %3 pixels.</source>
+        <translation>
+            <numerusform>已儲存 %1：%n 個圖層，%2 × %3 像素。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>OpenRaster (*.ora)</source>
+        <translation>OpenRaster (*.ora)</translation>
+    </message>
+    <message>
+        <source>Photoshop (*.psd)</source>
+        <translation>Photoshop (*.psd)</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>儲存副本</translation>
     </message>
 </context>
 <context>

@@ -498,5 +498,29 @@ TEST_F(ExportWindow, ClosingMayStopTheExportOrBeGivenUp) {
     EXPECT_FALSE(std::filesystem::exists(path("a.png")));
 }
 
+// ---- copies in layers
+
+TEST_F(ExportWindow, ACopyInLayersIsWrittenWhileOnePaintsOn) {
+    action(Command::AddLayer)->trigger();
+    stroke(30.0);
+    for (const char* name : {"copy.ora", "copy.psd"}) {
+        parts().exporting.start_copy(path(name));
+        stroke(35.0);
+        wait();
+        EXPECT_THAT(told(), StartsWith("Saved " + std::string(name) + ": 3 layers of ")) << told();
+        EXPECT_GT(std::filesystem::file_size(path(name)), 10000U);
+    }
+    EXPECT_EQ(files::read_colour_image(path("copy.psd")).width, session().snapshot()->film.shape.width);
+    EXPECT_FALSE(action(Command::ExportAgain)->isEnabled()) << "that is of exports";
+    EXPECT_TRUE(window().isWindowModified()) << "the painting itself is not saved";
+}
+
+TEST_F(ExportWindow, ACopyIsRefusedBeforeItIsMade) {
+    answer_box("OK");
+    parts().exporting.start_copy(path("missing") / "copy.ora");
+    EXPECT_THAT(asked_, HasSubstr("copy.ora"));
+    EXPECT_FALSE(parts().exporting.exporter().busy());
+}
+
 }  // namespace
 }  // namespace pastoso::tests

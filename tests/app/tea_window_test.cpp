@@ -329,7 +329,7 @@ TEST_F(TeaWindow, TheOtherButtonsTurnTheGlass) {
 
 TEST_F(TeaWindow, KeysStirPauseAndMoveTheAxis) {
     enter();
-    key(Qt::Key_F1);
+    key(Qt::Key_S);
     EXPECT_TRUE(glass().status().force.on);
     const session::TeaForce first = glass().status().force;
     key(Qt::Key_F3);
@@ -349,7 +349,7 @@ TEST_F(TeaWindow, KeysStirPauseAndMoveTheAxis) {
     EXPECT_TRUE(glass().status().paused);
     key(Qt::Key_F4);
     EXPECT_FALSE(glass().status().paused);
-    key(Qt::Key_F1);
+    key(Qt::Key_S);
     EXPECT_FALSE(glass().status().force.on);
 }
 
@@ -401,10 +401,10 @@ TEST_F(TeaWindow, ScenesAreSavedAndOpened) {
     enter();
     const TemporaryFolder folder;
     const QString file = QString::fromStdString((folder.path() / "glass.json").string());
-    key(Qt::Key_F1);
+    key(Qt::Key_S);
     tea().save_scene(file);
     tea().page().panel().show_settings({});
-    key(Qt::Key_F1);
+    key(Qt::Key_S);
     tea().open_scene(file);
     glass().wait_until_applied();
     EXPECT_EQ(glass().snapshot()->settings.cells, 16);

@@ -52,6 +52,17 @@ TEST_F(CliExport, FlatPicturesDoNotKnowTheLight) {
     EXPECT_EQ(core::read_text_file(path("c.png")), core::read_text_file(path("d-basecolor.png")));
 }
 
+TEST_F(CliExport, CopiesInLayersAreForOtherPrograms) {
+    for (const char* name : {"b.ora", "b.psd"}) {
+        const RunResult run = run_export({path(name)});
+        EXPECT_EQ(run.status, 0) << run.errors;
+        EXPECT_EQ(run.output, path(name) + ": 80 x 60 pixels, layers: 1\n");
+    }
+    EXPECT_EQ(files::read_grey_image(path("b.psd")).width, 80);
+    ASSERT_EQ(run_cli({"convert", "-q", path("b.ora"), "-o", path("c.pastoso")}).status, 0);
+    EXPECT_EQ(run_cli({"export", "-q", path("c.pastoso"), "-o", path("d.psd")}).status, 0);
+}
+
 TEST_F(CliExport, ConvertOfAPaintingIsTheSame) {
     ASSERT_EQ(run_export({path("b.png")}).status, 0);
     const RunResult run = run_cli({"convert", "-q", painting, "-o", path("c.png")});
@@ -85,11 +96,13 @@ TEST_F(CliExport, WhatCannotBeDoneIsToldInASentence) {
         options.insert(options.begin(), {"export", "-q", painting, "-o"});
         expect_refusal(options, status, sentence);
     };
-    refuse({path("b.psd")}, 1, "b.psd: a picture is saved as .png, .tif, .jpg, .webp or .exr");
+    refuse({path("b.gif")}, 1, "b.gif: a picture is saved as .png, .tif, .jpg, .webp or .exr");
     refuse({path("b.png"), "--depth", "32"}, 1, "b.png: .png files do not hold 32-bit pictures.");
     refuse({path("b.png"), "--layers"}, 1, "b.png: only .exr files hold layers.");
     refuse({path("b.jpg"), "--maps"}, 1, "b.jpg: maps are saved as .png, .tif or .exr");
     refuse({path("b.stl"), "--maps"}, 2, "--layers and --maps are for pictures; " + path("b.stl"));
+    refuse({path("b.psd"), "--layers"}, 2, path("b.psd") + " is a copy in layers.");
+    refuse({path("b.ora"), "--scale", "2"}, 2, "--flat and --scale are not for copies in layers");
     refuse({path("b.exr"), "--maps", "--layers"}, 2, "--layers and --maps exclude each other.");
     refuse({path("b.stl"), "--base-mm", "-1"}, 2, "--base-mm: \"-1\" is no number from 0.1 to 100");
     refuse({path("b.jpg"), "--quality", "0"}, 2, "--quality");

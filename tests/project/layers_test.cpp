@@ -3,6 +3,7 @@
 #include "document/scenes.hpp"
 #include "files/image.hpp"
 #include "files/temporary_folder.hpp"
+#include "pigment/colour.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
 #include "project/pictures.hpp"
@@ -85,15 +86,17 @@ TEST_F(LayeredProject, IsAStackOfPicturesToOtherPrograms) {
 TEST_F(LayeredProject, ItsPicturesLaidOverOneAnotherAreThePainting) {
     const Pictures pictures = pictures_of(painting->state(), pool);
     ASSERT_EQ(pictures.layers.size(), 4U);
-    pigment::LinearImage sum = pictures.layers[0].picture;
+    pigment::Image8 sum = pictures.layers[0].picture;
     for (const LayerPicture& layer : pictures.layers) {
         if (!layer.visible) continue;
         for (std::size_t i = 0; i < layer.covered.size(); ++i)
             if (layer.covered[i] == 255) std::copy_n(&layer.picture.rgb[3 * i], 3, &sum.rgb[3 * i]);
     }
+    const pigment::Image8 merged = pigment::encode_srgb8(pictures.merged);
+    const auto light = [](std::uint8_t level) { return pigment::decode_srgb(level / 255.0); };
     double difference = 0.0;
     for (std::size_t i = 0; i < sum.rgb.size(); ++i)
-        difference += std::abs(static_cast<double>(sum.rgb[i] - pictures.merged.rgb[i]));
+        difference += std::abs(light(sum.rgb[i]) - light(merged.rgb[i]));
     // Shadows fall beyond the paint's edge.
     EXPECT_LT(difference / static_cast<double>(sum.rgb.size()), 2e-3);
 }
@@ -109,9 +112,11 @@ TEST_F(LayeredProject, EachPictureIsTheOneOfItsLayersAlone) {
         const auto picture_of = [&](document::LayerStack stack) {
             const auto seen =
                 document::view_of(state.value.film, state.value.bare->support_mm, stack, pool);
-            return shade::render(seen, document::kPrimedGround, seen.shape.cells(), {}, pool).rgb;
+            return pigment::encode_srgb8(
+                       shade::render(seen, document::kPrimedGround, seen.shape.cells(), {}, pool))
+                .rgb;
         };
-        EXPECT_EQ(pictures.merged.rgb, picture_of(state.value.layers));
+        EXPECT_EQ(pigment::encode_srgb8(pictures.merged).rgb, picture_of(state.value.layers));
         for (std::size_t shown = 0; shown < state.value.layers.layers.size(); ++shown) {
             document::LayerStack stack = state.value.layers;
             for (std::size_t place = 0; place < stack.layers.size(); ++place) {

@@ -95,7 +95,7 @@ std::vector<std::byte> unseen_file_of(const Project& project, const std::filesys
                                       core::ThreadPool& pool) {
     const std::filesystem::path path = folder / "painting.pastoso";
     const pigment::LinearImage grey{2, 2, std::vector<float>(12, 0.5F), {}};
-    const Pictures pictures{grey, 1.0, {{"Paint", true, grey, {}}}};
+    const Pictures pictures{grey, 1.0, {{"Paint", true, pigment::encode_srgb8(grey), {}}}};
     core::write_aside(path, [&](core::OutputFile& file) { write_archive(project, pictures, pool, file); });
     std::vector<std::byte> bytes = bytes_in(path);
     std::filesystem::remove(path);

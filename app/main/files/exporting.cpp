@@ -65,6 +65,14 @@ QString words_of(const recordings::TimelapseReport& report, const QString& name)
         .arg(report.height_px);
 }
 
+QString words_of(const project::LayeredCopyReport& report, const QString& name) {
+    return Exporting::tr("Saved %1: %n layer(s) of %2 × %3 pixels.", nullptr,
+                         static_cast<int>(report.layers))
+        .arg(name)
+        .arg(report.width_px)
+        .arg(report.height_px);
+}
+
 QString words_of(const commands::ExportOutcome& outcome) {
     const QString name = name_of(outcome.path);
     if (outcome.status() == files::ExportStatus::Written)
@@ -97,6 +105,7 @@ Exporting::Exporting(Studio& studio, const ProjectFiles& files, const LightChoic
     });
     studio_.commands().on(Command::ExportAgain, [this](bool) { repeat(); });
     studio_.commands().on(Command::StopExport, [this](bool) { exporter_.stop(); });
+    studio_.commands().on(Command::SaveCopy, [this](bool) { ask_save_copy(); });
     studio_.commands().on(Command::SaveRecording, [this](bool) { ask_save_recording(); });
     studio_.commands().action(Command::StopExport)->setIconText(tr("Stop"));
     progress_ = new panels::WorkProgress(studio_.commands().action(Command::StopExport));
@@ -181,13 +190,40 @@ void Exporting::start(const tools::ExportSettings& settings, const std::filesyst
         job.painting = std::move(capture.painting);
         job.choice = tools::export_choice(settings, path, light());
     }
-    exporter_.start(std::move(job));
     exported_ = {settings, path};
     settings_ = settings;
     settings_.folder = path.parent_path().string();
     remember();
+    begin(std::move(job));
+}
+
+void Exporting::begin(commands::ExportJob job) {
+    const std::filesystem::path path = path_of(job);
+    exporter_.start(std::move(job));
     progress_->show_work(tr("Exporting %1").arg(name_of(path)), text_of(path));
     show_commands();
+}
+
+void Exporting::ask_save_copy() {
+    if (!may_begin()) return;
+    const QString open_raster = tr("OpenRaster (*.ora)"), photoshop = tr("Photoshop (*.psd)");
+    QString kind = open_raster;
+    const QString proposed = text_of(proposal().replace_extension(".ora"));
+    const QString path =
+        QFileDialog::getSaveFileName(&studio_.window(), tr("Save a copy"), proposed,
+                                     open_raster + QStringLiteral(";;") + photoshop, &kind);
+    if (path.isEmpty()) return;
+    std::filesystem::path file = path.toStdString();
+    if (!file.has_extension()) file += kind == photoshop ? ".psd" : ".ora";
+    start_copy(file);
+}
+
+void Exporting::start_copy(const std::filesystem::path& path) {
+    const project::LayeredCopy copy{path};
+    studio_.attempt(tr("Save a copy"), [&] {
+        project::check_layered_copy(copy);
+        begin({studio_.session().capture().painting, {}, copy});
+    });
 }
 
 void Exporting::end(const commands::ExportOutcome& outcome) {

@@ -30,6 +30,9 @@ class Exporting : public QObject {
     /// background. Not while one is being made.
     void start(const tools::ExportSettings& settings, const std::filesystem::path& path);
 
+    /// The same for a copy in layers; a name that none can have is told.
+    void start_copy(const std::filesystem::path& path);
+
     commands::Exporter& exporter() { return exporter_; }
 
     /// Whether the window may close as far as an export is concerned.
@@ -40,6 +43,8 @@ class Exporting : public QObject {
     void repeat();
     void end(const commands::ExportOutcome& outcome);
     bool may_begin();
+    void begin(commands::ExportJob job);
+    void ask_save_copy();
     void ask_save_recording();
     void show_commands();
     std::filesystem::path proposal() const;
