@@ -81,3 +81,18 @@ stop_virtual_display() {
     wait "$display_server" 2>/dev/null || true
     rm -rf -- "$display_folder"
 }
+
+# Makes a bare Debian 12 in the folder "bare", which goes with the script; `inside COMMAND...` runs there. For root alone.
+make_bare_debian() {
+    bare="$(mktemp -d)"
+    trap 'umount "$bare/proc" 2>/dev/null; rm -rf -- "$bare"' EXIT
+    say "Making a bare Debian 12 in $bare"
+    debootstrap --variant=minbase bookworm "$bare" >"$bare.log" || fail "debootstrap failed; $bare.log tells why."
+    rm -f -- "$bare.log"
+    mount -t proc proc "$bare/proc"
+}
+
+inside() {
+    DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root XDG_RUNTIME_DIR=/tmp LIBGL_ALWAYS_SOFTWARE=1 \
+        chroot "$bare" "$@"
+}

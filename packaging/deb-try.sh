@@ -21,14 +21,7 @@ packages=("$folder"/{pastoso{,-cli,-doc},libpastoso-dev}_*.deb)
 say "Checking the packages"
 lintian --allow-root --fail-on error "${packages[@]}" || fail "lintian has found errors."
 
-bare="$(mktemp -d)"
-trap 'umount "$bare/proc" 2>/dev/null; rm -rf -- "$bare"' EXIT
-inside() { DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root chroot "$bare" "$@"; }
-
-say "Making a bare Debian 12 in $bare"
-debootstrap --variant=minbase bookworm "$bare" >"$bare.log" || fail "debootstrap failed; $bare.log tells why."
-rm -f -- "$bare.log"
-mount -t proc proc "$bare/proc"
+make_bare_debian
 cp -- "${packages[@]}" "$bare/tmp/"
 
 say "Installing"

@@ -22,7 +22,7 @@ committed_at="$(git -C "$root" log -1 --format=%ct)" || fail "packages are made 
 listed() { packages_of "$1" | sort -u | paste -sd, | sed 's/,/, /g'; }
 
 write_control() {
-    sed -e "s/@BUILD_PACKAGES@/$(listed build)/" -e "s/@RUN_PACKAGES@/$(listed run)/" \
+    sed -e "s/@BUILD_PACKAGES@/$(listed build), $(listed book)/" -e "s/@RUN_PACKAGES@/$(listed run)/" \
         -e "s/@ENGINE_PACKAGES@/$(listed engine)/" control.in >control
     rm control.in
 }

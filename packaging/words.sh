@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Brings the files of the translators, resources/translations/*.ts, up to date with the words in the code: new ones
-# stand there as unfinished, and what was translated stays.
+# Brings the files of the translators up to date: resources/translations/*.ts with the words in the code, and
+# docs/manual/translations/*.po with the manual. What is new stands there as unfinished, and what was translated stays.
 #
 # Usage: packaging/words.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
@@ -19,3 +19,5 @@ for language in en ja sv zh_TW; do
         -source-language en -target-language "$language" 2>&1 |
         sed '/lacks Q_OBJECT macro/d; /Qualifying with unknown/d'  # of tables that are translated by their namespace
 done
+po4a --quiet --no-translations --master-charset UTF-8 --localized-charset UTF-8 --porefs file --wrap-po no --msgid-bugs-address "" \
+    --package-name Pastoso --package-version manual --copyright-holder "The Pastoso authors" docs/manual/translations/po4a.cfg

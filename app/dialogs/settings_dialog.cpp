@@ -3,8 +3,6 @@
 #include "core/thread_count.hpp"
 #include "tools/settings.hpp"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -52,7 +50,7 @@ SettingsDialog::SettingsDialog(tools::Preferences preferences, int undo_memory_M
     pages_->addTab(make_colour(system_profile), tr("Colour"));
     pages_->addTab(make_keeping(undo_memory_MiB), tr("Undo and saving"));
     pages_->addTab(make_performance(), tr("Performance"));
-    pages_->addTab(make_machine(machine), tr("This machine"));
+    pages_->addTab(fact_list(machine), tr("This machine"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* column = new QVBoxLayout(this);
@@ -214,27 +212,6 @@ QWidget* SettingsDialog::make_performance() {
                                     "wrongly.")));
     form->addRow(QString(), note(tr("How carefully moving paint is shown follows from how fast this "
                                     "machine draws; what stands still is always shown in full.")));
-    return page;
-}
-
-QWidget* SettingsDialog::make_machine(const std::vector<Fact>& machine) {
-    auto* page = new QWidget;
-    QFormLayout* form = form_on(page);
-    QString all;
-    for (const auto& [what, how] : machine) {
-        auto* value = new QLabel(how);
-        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        value->setWordWrap(true);
-        form->addRow(what, value);
-        all += QStringLiteral("%1: %2\n").arg(what, how);
-    }
-    auto* copy = new QPushButton(tr("Copy"));
-    copy->setObjectName(QStringLiteral("copy_machine"));
-    connect(copy, &QPushButton::clicked, this, [all] { QApplication::clipboard()->setText(all); });
-    auto* row = new QHBoxLayout;
-    row->addStretch();
-    row->addWidget(copy);
-    form->addRow(row);
     return page;
 }
 

@@ -2,6 +2,7 @@
 // finds there. Every change holds at once; there is nothing to be accepted at the end.
 #pragma once
 
+#include "dialogs/fact_list.hpp"
 #include "tools/preferences.hpp"
 
 #include <functional>
@@ -22,10 +23,8 @@ class SettingsDialog : public QDialog {
   public:
     enum class Page { Appearance, Colour, Keeping, Performance, Machine };
 
-    /// One line of the page of the machine: what, and how it is.
-    using Fact = std::pair<QString, QString>;
-
-    /// `system_profile` is what the one of the system calls itself; empty where there is none.
+    /// `system_profile` is what the one of the system calls itself; empty where there is none. `machine`
+    /// is told on the last page.
     SettingsDialog(tools::Preferences preferences, int undo_memory_MiB, const QString& system_profile,
                    const std::vector<Fact>& machine, QWidget* parent = nullptr);
 
@@ -43,7 +42,6 @@ class SettingsDialog : public QDialog {
     QWidget* make_colour(const QString& system_profile);
     QWidget* make_keeping(int undo_memory_MiB);
     QWidget* make_performance();
-    QWidget* make_machine(const std::vector<Fact>& machine);
     QComboBox* add_choice(QFormLayout* form, const QString& words, const QString& name,
                           const std::vector<std::pair<QString, std::string>>& choices,
                           std::string tools::Preferences::*preference);

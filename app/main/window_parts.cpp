@@ -39,6 +39,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       keys(studio, panels),
       colours(studio),
       preferences(studio, undo, colours),
+      help(studio),
       place(studio, panels.readings),
       tea(studio, pictures, place),
       tank(studio, pictures, place) {}

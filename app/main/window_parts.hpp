@@ -38,6 +38,7 @@
 #include "main/pen/pen_commands.hpp"
 #include "main/pen/popup_commands.hpp"
 #include "main/program/colour_commands.hpp"
+#include "main/program/help_commands.hpp"
 #include "main/program/key_commands.hpp"
 #include "main/program/preference_commands.hpp"
 #include "main/program/window_settings.hpp"
@@ -84,6 +85,7 @@ struct WindowParts {
     KeyCommands keys;
     ColourCommands colours;
     PreferenceCommands preferences;
+    HelpCommands help;
     CanvasPlace place;
     TeaMode tea;
     TankMode tank;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
 
 #include <QAction>
 #include <QApplication>
@@ -32,14 +33,19 @@ class PenWindow : public WindowTest {
     panels::PenDialog& open_dialog() {
         canvas().setFocus();
         QTest::keyClick(&canvas(), Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
-        auto* dialog = window().findChild<panels::PenDialog*>();
-        EXPECT_NE(dialog, nullptr);
-        wait_until_shown(*dialog);
-        return *dialog;
+        wait_until_shown(dialog());
+        return dialog();
+    }
+    panels::PenDialog& dialog() {
+        auto* found = window().findChild<panels::PenDialog*>();
+        if (found == nullptr) throw std::runtime_error("the dialog of pens is not open");
+        return *found;
     }
     template <class Widget>
     Widget& part(const char* name) {
-        return *window().findChild<panels::PenDialog*>()->findChild<Widget*>(QString::fromUtf8(name));
+        auto* found = dialog().findChild<Widget*>(QString::fromUtf8(name));
+        if (found == nullptr) throw std::runtime_error(name);
+        return *found;
     }
     void choose(const char* device) {
         auto& list = part<QListWidget>("devices");

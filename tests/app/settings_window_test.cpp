@@ -265,7 +265,7 @@ TEST_F(SettingsWindow, SavesByItselfWhereThereIsAFileAndAChangeButNotWithinAStro
 TEST_F(SettingsWindow, TellsWhatTheMachineIsAndCopiesIt) {
     in_settings([](QWidget& dialog) {
         QApplication::clipboard()->clear();
-        find<QPushButton>(dialog, "copy_machine").click();
+        find<QPushButton>(dialog, "copy_facts").click();
         const std::string text = QApplication::clipboard()->text().toStdString();
         EXPECT_THAT(text, HasSubstr("Qt " QT_VERSION_STR));
         EXPECT_THAT(text, HasSubstr("OpenGL: "));
