@@ -21,14 +21,14 @@ QString page_of(const QUrl& url) {
     return file.endsWith(ending) ? file.chopped(ending.size()) : QString();
 }
 
-/// Lines farther apart than those of labels, for reading.
+/// Lines farther apart than those of labels, for reading; not below pictures.
 void set_line_height(QTextDocument& document) {
     constexpr double kPercent = 125.0;
     QTextBlockFormat format;
     format.setLineHeight(kPercent, QTextBlockFormat::ProportionalHeight);
-    QTextCursor all(&document);
-    all.select(QTextCursor::Document);
-    all.mergeBlockFormat(format);
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+        if (!block.text().contains(QChar::ObjectReplacementCharacter))
+            QTextCursor(block).mergeBlockFormat(format);
 }
 
 /// The blocks that are headings, in their order.

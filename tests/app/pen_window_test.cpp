@@ -31,8 +31,7 @@ using commands::Command;
 class PenWindow : public WindowTest {
   protected:
     panels::PenDialog& open_dialog() {
-        canvas().setFocus();
-        QTest::keyClick(&canvas(), Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+        action(Command::PenSettings)->trigger();
         wait_until_shown(dialog());
         return dialog();
     }
