@@ -1,5 +1,5 @@
 // Checks of invariants: a failure is a mistake of ours, never of the user's data (for those see error.hpp).
-// The checks stay in Release builds; they print the expression, both values and the place, then abort.
+// They stay in Release builds, tell expression, values and place, and abort or throw (failed_check.hpp).
 #pragma once
 
 #include <sstream>

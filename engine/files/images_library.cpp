@@ -16,7 +16,7 @@ Function* find(void* module, const char* name) {
 
 ImagesLibrary open_library() {
     const std::string path =
-        (core::program_folder().parent_path() / "lib" / "pastoso" / "pastoso-images.so").string();
+        (core::installed_prefix() / "lib" / "pastoso" / "pastoso-images.so").string();
     void* module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (module == nullptr) {
         throw core::InputError(path + ": this part of the program cannot be loaded (" + ::dlerror() +

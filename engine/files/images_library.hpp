@@ -16,7 +16,7 @@ struct ImagesLibrary {
     PastosoImagesReadClose* read_close = nullptr;
 };
 
-/// The module "pastoso-images.so" in ../lib/pastoso beside the program's folder, opened at the first
+/// The module "pastoso-images.so" in lib/pastoso below core::installed_prefix(), opened at the first
 /// call and kept. Throws InputError when it is missing or of another version. Safe on any thread.
 const ImagesLibrary& images_library();
 

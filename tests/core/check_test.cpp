@@ -1,6 +1,10 @@
 #include "core/check.hpp"
 
 #include "core/error.hpp"
+#include "core/failed_check.hpp"
+
+#include <cstdio>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +18,21 @@ TEST(CheckDeathTest, NamesTheExpressionThatFailed) {
 TEST(CheckDeathTest, PrintsBothValues) {
     const int cells = 3;
     EXPECT_DEATH(PASTOSO_CHECK_OP(cells, >=, 4), "broken invariant: cells >= 4 \\(3 against 4\\)");
+}
+
+/// In a process of its own: nothing takes it back.
+TEST(CheckDeathTest, ThrowsWhereThatWasAskedFor) {
+    const auto caught = [] {
+        pastoso::core::throw_failed_checks();
+        try {
+            PASTOSO_CHECK_OP(3, >=, 4);
+        } catch (const pastoso::core::BrokenInvariant& error) {
+            std::fprintf(stderr, "caught %s", error.what());
+            std::exit(3);
+        }
+    };
+    EXPECT_EXIT(caught(), testing::ExitedWithCode(3),
+                "caught .*broken invariant: 3 >= 4 \\(3 against 4\\)");
 }
 
 TEST(Check, EvaluatesItsOperandsOnce) {

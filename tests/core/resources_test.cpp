@@ -35,6 +35,17 @@ TEST_F(ResourceFolder, OfTheEnvironmentComesFirst) {
     EXPECT_EQ(pastoso::core::read_text_file(resource_path("own.txt")), "own");
 }
 
+TEST(Resources, ProgramsOfOthersNameThePrefix) {
+    const pastoso::tests::TemporaryFolder folder;
+    EXPECT_EQ(pastoso::core::installed_prefix(), pastoso::core::program_folder().parent_path());
+    pastoso::core::set_installed_prefix(folder.path());
+    std::filesystem::create_directories(folder.path() / "share" / "pastoso");
+    pastoso::core::write_text_file(folder.path() / "share" / "pastoso" / "own.txt", "own");
+    EXPECT_EQ(pastoso::core::read_text_file(resource_path("own.txt")), "own");
+    pastoso::core::set_installed_prefix({});
+    EXPECT_EQ(pastoso::core::installed_prefix(), pastoso::core::program_folder().parent_path());
+}
+
 TEST_F(ResourceFolder, MissingFilesAreNamed) {
     try {
         resource_path("media.json");
