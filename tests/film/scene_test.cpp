@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -150,6 +151,37 @@ TEST(SceneSupport, ARampRisesFromItsLowestCorner) {
     EXPECT_NEAR(heights.at(0, 50), 0.2 * 39.75, 2e-6);
     scene.support = {Bump{{20, 15}, -1.0, 3.0}};
     EXPECT_THROW(make_support(scene), core::InputError);
+}
+
+TEST(SceneFilm, ValuesOfCellsAreTakenAsTheyAre) {
+    Scene scene = bare(10.0);  // 4 x 3 cells
+    std::vector<float> values(12);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = 0.125F * static_cast<float>(i);
+    scene.film = {{CellValues{values}, 2.0, {}}};
+    scene.support = {CellHeights{{values}}};
+    const FilmState film = make_film(scene);
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 4; ++x) {
+            const float value = values[static_cast<std::size_t>(4 * y + x)];
+            EXPECT_EQ(thickness_mm(film.thickness.at(x, y)), 2.0F * value);
+            EXPECT_EQ(film.support_mm.at(x, y), value);
+        }
+    }
+}
+
+TEST(SceneFilm, ValuesOfCellsAreAsManyAsThereAreCells) {
+    Scene scene = bare(10.0);
+    const std::vector<float> values(11, 0.5F);
+    scene.film = {{CellValues{values}, 1.0, {}}};
+    EXPECT_THROW(make_film(scene), core::InputError);
+    scene.film.clear();
+    scene.support = {CellHeights{{values}}};
+    EXPECT_THROW(make_film(scene), core::InputError);
+    const std::vector<float> negative(12, -0.5F);
+    scene.support.clear();
+    scene.film = {{CellValues{negative}, 1.0, {}}};
+    EXPECT_THROW(make_film(scene), core::InputError);
 }
 
 TEST(SceneSupport, AnImageSpansItsHeights) {

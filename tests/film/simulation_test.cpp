@@ -47,6 +47,25 @@ TEST(Simulation, IsTheSolverRunOnTheSameFilm) {
     EXPECT_EQ(state_hash(simulation.film()), state_hash(film));
 }
 
+TEST(Simulation, IsPutBackWhereItIsCancelled) {
+    Scene scene = in_cells(80, 70);
+    scene.gravity.x_mm_s2 = 0.5;
+    scene.film = {{SphericalCap{{40, 30}, 12}, 5, {}}};
+    core::ThreadPool pool(1);
+    Simulation simulation(scene, pool), whole(scene, pool);
+    EXPECT_TRUE(simulation.advance_to_unless([] { return false; }, 0.5));
+    const std::uint64_t before = state_hash(simulation.film());
+    int asked = 0;
+    EXPECT_FALSE(simulation.advance_to_unless([&] { return ++asked > 3; }, 2.0));
+    EXPECT_EQ(simulation.time_s(), 0.5);
+    EXPECT_EQ(state_hash(simulation.film()), before);
+    EXPECT_TRUE(simulation.advance_to_unless([] { return false; }, 1.0));
+    whole.advance_to(0.5);
+    whole.advance_to(1.0);
+    EXPECT_EQ(state_hash(simulation.film()), state_hash(whole.film()));
+    EXPECT_EQ(simulation.report().steps, whole.report().steps);
+}
+
 TEST(Simulation, ThreadsDoNotShow) {
     Scene scene = in_cells(150, 140);
     scene.gravity.y_mm_s2 = 0.7;

@@ -14,6 +14,15 @@
 namespace pastoso::film {
 namespace {
 
+void check_count(const CellValues& cells, const grid::Shape& shape) {
+    const std::size_t count =
+        static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
+    if (cells.values.size() == count) return;
+    throw core::InputError("There are " + std::to_string(cells.values.size()) + " values for the " +
+                           std::to_string(shape.width) + " x " + std::to_string(shape.height) +
+                           " cells of the canvas.");
+}
+
 /// The heights of one relief, made for a whole canvas.
 struct ReliefMaker {
     grid::Shape shape;
@@ -52,6 +61,15 @@ struct ReliefMaker {
             return bump.height_mm * std::exp(exponent * (dx * dx + dy * dy));
         };
         return sampled(height, 4);
+    }
+
+    SupportHeights operator()(const CellHeights& cells) const {
+        check_count(cells, shape);
+        const float* heights_mm = cells.values.data();
+        return sampled_heights({shape}, 1, 1.0, [&](double, std::span<float> row) {
+            std::copy_n(heights_mm, row.size(), row.begin());
+            heights_mm += row.size();
+        });
     }
 
     /// height(x, y) in mm at a place in cells.
@@ -140,13 +158,19 @@ struct Layer {
         : primitive(wanted),
           medium(place_of(wanted.medium.value_or(scene.medium), media)),
           paint(paint_coefficients(wanted.pigment, wanted.medium.value_or(scene.medium))),
-          reach(reach_of(wanted.form, scene.shape, scene.cell_mm)) {
+          reach(reach_of(wanted.form, scene.shape, scene.cell_mm)),
+          width(static_cast<std::size_t>(scene.shape.width)) {
+        if (const auto* cells = std::get_if<CellValues>(&wanted.form)) check_count(*cells, scene.shape);
         if (const auto* map = std::get_if<GreyMap>(&wanted.form))
             image_mm =
                 image_heights(scene.shape, map->grey, map->width, map->height, wanted.thickness_mm);
     }
 
     double thickness_in(int x, int y, double cell_mm) const {
+        if (const auto* cells = std::get_if<CellValues>(&primitive.form)) {
+            const std::size_t cell = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+            return primitive.thickness_mm * static_cast<double>(cells->values[cell]);
+        }
         const bool is_image = std::holds_alternative<GreyMap>(primitive.form);
         return is_image ? static_cast<double>(image_mm.at(x, y))
                         : mean_thickness_mm(primitive, x, y, cell_mm);
@@ -161,6 +185,7 @@ struct Layer {
     int medium;
     PaintCoefficients paint;
     grid::Rect reach;
+    std::size_t width;  ///< of the canvas
     SupportHeights image_mm;
 };
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,6 +29,12 @@ struct GreyMap {
     std::vector<float> grey;
 };
 
+/// A value for every cell of the canvas, row by row, in memory of whoever makes the film; it is read
+/// then, and not after.
+struct CellValues {
+    std::span<const float> values;
+};
+
 /// One of the supports that come with the program; relief 0: its own.
 struct BundledRelief {
     std::string name;
@@ -45,7 +52,8 @@ struct Bump {  ///< height_mm exp(-r^2 / (2 deviation^2))
     Point centre;
     double height_mm = 0.0, deviation_mm = 1.0;
 };
-using Relief = std::variant<BundledRelief, Weave, ImageRelief, Ramp, Bump>;
+struct CellHeights : CellValues {};  ///< mm
+using Relief = std::variant<BundledRelief, Weave, ImageRelief, Ramp, Bump, CellHeights>;
 
 /// The forms of paint, each scaled by the thickness of its primitive.
 struct Slab {};  ///< everywhere
@@ -72,7 +80,8 @@ struct Cosine {  ///< (1 + cos(2 pi s / wavelength - phase)) / 2, s along direct
 struct WhiteNoise {  ///< independent in every cell, uniform from 0 to 1
     std::uint32_t seed = 1;
 };
-using Form = std::variant<Slab, Box, Disc, SphericalCap, Gaussian, Cosine, WhiteNoise, GreyMap>;
+using Form =
+    std::variant<Slab, Box, Disc, SphericalCap, Gaussian, Cosine, WhiteNoise, GreyMap, CellValues>;
 
 struct Primitive {
     Form form;
@@ -96,12 +105,14 @@ struct Scene {
 inline constexpr double kMaxSupport_mm = 16.0;
 
 /// The support's heights: cell means of the sum of its reliefs, in multiples of kSupportQuantum_mm.
-/// Throws InputError when they leave 0 to kMaxSupport_mm, or for an unknown bundled relief.
+/// Throws InputError when they leave 0 to kMaxSupport_mm, for an unknown bundled relief, and where there
+/// is not a height for every cell.
 SupportHeights make_support(const Scene& scene);
 
 /// The film at time 0, at rest: cell means of the primitives, rounded to whole quanta; the pigment of a
 /// cell is sum(thickness * coefficients). A box is exact; other outlines are sampled at 16 x 16 points a
-/// cell, smooth forms at 4 x 4. Throws InputError when a cell would hold more than kMaxThickness_mm.
+/// cell, smooth forms at 4 x 4. Throws InputError when a cell would hold more than kMaxThickness_mm or
+/// less than nothing, and where there is not a value for every cell.
 FilmState make_film(const Scene& scene);
 
 }  // namespace pastoso::film

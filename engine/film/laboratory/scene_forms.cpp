@@ -82,6 +82,10 @@ struct CellMean {
         PASTOSO_CHECK(!"an image is resampled as a whole");
         return 0.0;
     }
+    double operator()(const CellValues&) const {
+        PASTOSO_CHECK(!"values of cells need no mean");
+        return 0.0;
+    }
 };
 
 grid::Rect cells_around(const Point& centre, double radius_mm, double cell_mm) {

@@ -7,6 +7,9 @@ namespace pastoso::film {
 Simulation::Simulation(const Scene& scene, core::ThreadPool& pool)
     : scene_(scene), film_(make_film(scene)), solver_(film_, scene.medium, scene.solver, pool) {
     solver_.set_gravity(scene.gravity);
+    // Only what forces and measures depend on is looked at from now on; images need memory.
+    scene_.film.clear();
+    scene_.support.clear();
 }
 
 void Simulation::advance_to(double time_s, const std::function<void()>& watch) {
@@ -17,6 +20,15 @@ void Simulation::advance_to(double time_s, const std::function<void()>& watch) {
     };
     report_.add(*solver_.advance_unless(never, time_s - time_s_));
     time_s_ = time_s;
+}
+
+bool Simulation::advance_to_unless(const std::function<bool()>& cancelled, double time_s) {
+    PASTOSO_CHECK_OP(time_s, >=, time_s_);
+    const std::optional<AdvanceReport> report = solver_.advance_unless(cancelled, time_s - time_s_);
+    if (!report) return false;
+    report_.add(*report);
+    time_s_ = time_s;
+    return true;
 }
 
 double Simulation::runoff_mm3() const {

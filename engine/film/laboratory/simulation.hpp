@@ -21,6 +21,10 @@ class Simulation {
     void advance_to(
         double time_s, const std::function<void()>& watch = [] {});
 
+    /// The same, but `cancelled` is asked before every step; once it says true the film is put back as
+    /// it was and false is returned.
+    bool advance_to_unless(const std::function<bool()>& cancelled, double time_s);
+
     double time_s() const { return time_s_; }
     const FilmState& film() const { return film_; }
     const AdvanceReport& report() const { return report_; }  ///< summed from the start
