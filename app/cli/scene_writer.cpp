@@ -5,47 +5,20 @@
 #include "core/text_file.hpp"
 #include "document/painting.hpp"
 #include "files/image.hpp"
+#include "recordings/scene_stops.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 
 namespace pastoso::cli {
 namespace {
 
 using core::number_text;
 
-/// Times nearer to each other than this are the same.
-double tolerance(double duration_s) {
-    return 1e-9 * std::max(duration_s, 1e-3);
-}
-
 bool is_among(double time_s, const std::vector<double>& times, double within) {
     return std::any_of(times.begin(), times.end(),
                        [&](double time) { return std::abs(time - time_s) <= within; });
-}
-
-/// The times that are asked for, and those of the series that are not among them but for rounding.
-std::vector<double> stops_of(const recordings::SceneRun& run) {
-    const double end_s = run.scene.duration_s, same = tolerance(end_s);
-    std::vector<double> asked = {0.0, end_s};
-    for (const auto* times :
-         {&run.output.pictures_at_s, &run.output.heights_at_s, &run.output.profiles_at_s})
-        asked.insert(asked.end(), times->begin(), times->end());
-    if (run.output.magnification) asked.push_back(run.output.magnification->at_s);
-    std::sort(asked.begin(), asked.end());
-    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
-
-    std::vector<double> series;
-    for (long i = 1; static_cast<double>(i) * run.output.series_every_s < end_s - same; ++i) {
-        const double time_s = static_cast<double>(i) * run.output.series_every_s;
-        const auto next = std::lower_bound(asked.begin(), asked.end(), time_s - same);
-        if (*next > time_s + same) series.push_back(time_s);
-    }
-    std::vector<double> stops;
-    std::merge(asked.begin(), asked.end(), series.begin(), series.end(), std::back_inserter(stops));
-    return stops;
 }
 
 files::GreyImage map_of(const grid::Shape& shape, const std::function<float(int, int)>& value) {
@@ -69,11 +42,11 @@ SceneWriter::SceneWriter(const recordings::SceneRun& run, bool cell_units, std::
       folder_(std::move(folder)),
       style_(std::move(style)),
       pool_(pool),
-      stops_(stops_of(run)) {}
+      stops_(recordings::stops_of(run)) {}
 
 void SceneWriter::write_due(const film::Simulation& simulation) {
     const recordings::SceneOutput& output = run_.output;
-    const double now_s = simulation.time_s(), same = tolerance(run_.scene.duration_s);
+    const double now_s = simulation.time_s(), same = recordings::time_tolerance_s(run_);
     note_series(simulation);
     if (is_among(now_s, output.profiles_at_s, same)) note_profiles(simulation);
     if (is_among(now_s, output.pictures_at_s, same)) write_picture(simulation);

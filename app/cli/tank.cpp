@@ -7,7 +7,6 @@
 #include "cli/tank_files.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
-#include "core/hash.hpp"
 #include "core/looking.hpp"
 #include "core/text_file.hpp"
 #include "liquid_files/frame_index.hpp"
@@ -37,16 +36,6 @@ tank::TankScene scene_of(const TankOptions& options) {
         scene.method =
             static_cast<tank::Method>(std::ranges::find(names, options.method) - names.begin());
     return scene;
-}
-
-std::uint64_t hash_of(const tank::TankState& state) {
-    core::Hash64 hash;
-    hash.add(std::span<const tank::Particle>(state.liquid.particles));
-    for (const grid::BoxField* field :
-         {&state.liquid.velocity.x, &state.liquid.velocity.y, &state.liquid.velocity.z})
-        hash.add(std::span<const float>(field->values()));
-    if (state.liquid.level) hash.add(std::span<const float>(state.liquid.level->level_m.values()));
-    return hash.value();
 }
 
 /// What a frame took.
@@ -94,7 +83,7 @@ class TankRun {
         for (const TankSeriesRow& row : series_)
             stats.volume_error_rel_max =
                 std::max(stats.volume_error_rel_max, std::abs(row.volume_error_rel));
-        stats.state_hash = hash_of(tank_.state());
+        stats.state_hash = liquid_files::state_hash(tank_.state());
         return stats;
     }
 

@@ -9,7 +9,6 @@
 #include "cli/tea_files.hpp"
 #include "cli/usage_error.hpp"
 #include "core/error.hpp"
-#include "core/hash.hpp"
 #include "liquid/tea/milk_tea.hpp"
 #include "liquid_files/tea_json.hpp"
 
@@ -25,31 +24,18 @@ using liquid::MilkTea;
 using liquid::TeaSettings;
 using liquid_files::TeaStats;
 
-/// Steps are at most as long as the scene says, and a whole number of them makes a frame.
-int steps_per_frame(const TeaSettings& settings, double fps) {
-    return std::max(1, static_cast<int>(std::ceil(1.0 / (fps * settings.step_s) - 1e-6)));
-}
-
 TeaSettings settings_of(const TeaOptions& options) {
     TeaSettings settings = options.scene.empty() ? TeaSettings{} : liquid_files::read_tea(options.scene);
     if (options.cells) settings.cells = *options.cells;
     if (options.parcels) settings.parcels = *options.parcels;
     if (options.seed) settings.seed = *options.seed;
-    settings.step_s = 1.0 / (options.fps * steps_per_frame(settings, options.fps));
+    settings = liquid_files::stepped_for(settings, options.fps);
     liquid::check_tea(settings);
     return settings;
 }
 
 trace::MilkBody milk_body(const std::string& name) {
     return name == "surface" ? trace::MilkBody::Surface : trace::MilkBody::Medium;
-}
-
-std::uint64_t hash_of(const MilkTea& tea) {
-    core::Hash64 hash;
-    hash.add(std::span<const liquid::Parcel>(tea.parcels()));
-    hash.add(std::span<const float>(tea.dissolved().values()));
-    hash.add(std::span<const float>(tea.coldness().values()));
-    return hash.value();
 }
 
 /// Where frames go, and what they cost.
@@ -108,7 +94,7 @@ void simulate(MilkTea& tea, const TeaOptions& options, SimulatedFrames frames, c
     TeaStats& stats = outputs.stats;
     const auto measure =
         options.stats.empty() ? liquid::MeasureDivergence::No : liquid::MeasureDivergence::Yes;
-    const int steps = steps_per_frame(tea.settings(), options.fps);
+    const int steps = liquid_files::steps_per_frame(tea.settings(), options.fps);
     frames.advance = [&](int) {
         stats.simulate_s += seconds_of([&] {
             for (int i = 0; i < steps; ++i)
@@ -123,7 +109,7 @@ void simulate(MilkTea& tea, const TeaOptions& options, SimulatedFrames frames, c
     stats.balls = tea.ball_count();
     if (tea.poured_m3() > 0.0)
         stats.milk_error_rel = std::abs(tea.milk_m3(pool) / tea.poured_m3() - 1.0);
-    stats.state_hash = hash_of(tea);
+    stats.state_hash = liquid_files::state_hash(tea);
 }
 
 /// Makes all that is wanted and not there yet: draws what is kept, simulates what follows.
@@ -137,7 +123,7 @@ void make_frames(const TeaSettings& settings, const TeaOptions& options, int fra
     SimulatedFrames frames;
     frames.last = frame_count;
     if (outputs.cache && !keeps_all) {
-        const int steps = steps_per_frame(settings, options.fps);
+        const int steps = liquid_files::steps_per_frame(settings, options.fps);
         frames.stands_at = go_on(*tea, steps, frame_count, *outputs.cache);
         frames.keep = [&](int) {
             outputs.stats.files.io_s += seconds_of([&] { outputs.cache->write_state(tea->state()); });

@@ -1,6 +1,9 @@
 #include "liquid_files/tank_stats.hpp"
 
+#include "core/hash.hpp"
 #include "files/number_rows.hpp"
+
+#include <span>
 
 namespace pastoso::liquid_files {
 
@@ -14,6 +17,16 @@ std::string series_csv(const std::vector<TankSeriesRow>& rows) {
         text += '\n';
     }
     return text;
+}
+
+std::uint64_t state_hash(const tank::TankState& state) {
+    core::Hash64 hash;
+    hash.add(std::span<const tank::Particle>(state.liquid.particles));
+    for (const grid::BoxField* field :
+         {&state.liquid.velocity.x, &state.liquid.velocity.y, &state.liquid.velocity.z})
+        hash.add(std::span<const float>(field->values()));
+    if (state.liquid.level) hash.add(std::span<const float>(state.liquid.level->level_m.values()));
+    return hash.value();
 }
 
 void write_stats(const std::filesystem::path& path, const TankStats& stats) {

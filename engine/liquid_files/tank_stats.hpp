@@ -2,7 +2,9 @@
 #pragma once
 
 #include "liquid_files/run_stats.hpp"
+#include "tank/tank_state.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,9 @@ struct TankStats : RunStats {
     double volume_error_rel_max = 0.0;      ///< the largest of all rows, without its sign
     std::int64_t cells = 0, particles = 0;  ///< of the box; at the end
 };
+
+/// Of particles, velocity and level; equal liquids give equal hashes.
+std::uint64_t state_hash(const tank::TankState& state);
 
 /// See write_run_stats().
 void write_stats(const std::filesystem::path& path, const TankStats& stats);

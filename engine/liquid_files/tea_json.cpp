@@ -6,6 +6,8 @@
 #include "files/number_table.hpp"
 #include "liquid_files/cup_json.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 
@@ -88,6 +90,15 @@ std::string tea_to_json(const liquid::TeaSettings& settings) {
     json["cup"] = cup_to_json(settings.cup);
     files::write_numbers(json, liquid::tea_numbers(), settings);
     return json.dump(2) + "\n";
+}
+
+int steps_per_frame(const TeaSettings& settings, double fps) {
+    return std::max(1, static_cast<int>(std::ceil(1.0 / (fps * settings.step_s) - 1e-6)));
+}
+
+TeaSettings stepped_for(TeaSettings settings, double fps) {
+    settings.step_s = 1.0 / (fps * steps_per_frame(settings, fps));
+    return settings;
 }
 
 }  // namespace pastoso::liquid_files

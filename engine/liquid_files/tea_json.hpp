@@ -22,6 +22,13 @@ std::vector<std::string> bundled_tea_names();
 /// folder and an ending. Throws InputError that lists the names when there is none of that name.
 liquid::TeaSettings read_tea(const std::string& path_or_name);
 
+/// Steps of a frame at that many frames a second: at most as long as the settings say, and a whole
+/// number of them.
+int steps_per_frame(const liquid::TeaSettings& settings, double fps);
+
+/// The settings with steps of that length.
+liquid::TeaSettings stepped_for(liquid::TeaSettings settings, double fps);
+
 /// All of the settings; tea_from_json() gives them back exactly.
 std::string tea_to_json(const liquid::TeaSettings& settings);
 

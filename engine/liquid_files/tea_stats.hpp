@@ -1,7 +1,10 @@
 // The figures of a run of milk tea.
 #pragma once
 
+#include "liquid/tea/milk_tea.hpp"
 #include "liquid_files/run_stats.hpp"
+
+#include <cstdint>
 
 namespace pastoso::liquid_files {
 
@@ -12,6 +15,9 @@ struct TeaStats : RunStats {
     /// Of the classic system, by voxels of its own lattice (liquid::PileUp); 0 otherwise.
     double pile_up_dispersion = 0.0, pile_up_at_borders = 0.0;
 };
+
+/// Of parcels, dissolved milk and coldness; equal teas give equal hashes.
+std::uint64_t state_hash(const liquid::MilkTea& tea);
 
 /// See write_run_stats().
 void write_stats(const std::filesystem::path& path, const TeaStats& stats);
