@@ -9,12 +9,12 @@ groups=(build run)
 preset=release
 targets=(pastoso pastoso-cli)
 options=()
-# A build folder that holds the tests already keeps them.
-[[ -f $root/build/release/CMakeCache.txt ]] || options=(-DPASTOSO_BUILD_TESTS=OFF)
+# A build folder that holds tests and Python package already keeps them.
+[[ -f $root/build/release/CMakeCache.txt ]] || options=(-DPASTOSO_BUILD_TESTS=OFF -DPASTOSO_BUILD_PYTHON=OFF)
 for argument in "$@"; do
     case "$argument" in
         -h | --help) print_help; exit 0 ;;
-        --tests) groups+=(test); preset=ci; targets=(); options=(-DPASTOSO_BUILD_TESTS=ON) ;;
+        --tests) groups+=(test); preset=ci; targets=(); options=(-DPASTOSO_BUILD_TESTS=ON -DPASTOSO_BUILD_PYTHON=ON) ;;
         *) refuse_argument "$argument" ;;
     esac
 done

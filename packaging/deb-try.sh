@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tries the packages that packaging/deb.sh made, in a bare Debian 12 of their own: checks them with lintian, installs
-# them, paints an example without and with a window, builds a program with the engine, removes them, and tells their sizes. As root; takes some minutes.
+# them, paints an example without and with a window and from Python, builds a program with the engine, removes them, and tells their sizes. As root; takes some minutes.
 #
 # Usage: packaging/deb-try.sh [FOLDER]
 #   FOLDER   where the packages are; build/packages otherwise
@@ -13,7 +13,7 @@ case "${1-}" in
     "") ;;
     *) folder="$1" ;;
 esac
-packages=("$folder"/{pastoso{,-cli,-doc},libpastoso-dev}_*.deb)
+packages=("$folder"/{pastoso{,-cli,-doc},libpastoso-dev,python3-pastoso}_*.deb)
 [[ -f ${packages[0]} ]] || fail "there are no packages in $folder; packaging/deb.sh makes them."
 [[ $EUID -eq 0 ]] || fail "only root can make a system of its own."
 "$root/packaging/install.sh" deb
@@ -26,7 +26,7 @@ cp -- "${packages[@]}" "$bare/tmp/"
 
 say "Installing"
 inside sh -c 'apt-get -q -y --no-install-recommends install /tmp/*.deb xvfb xauth' || fail "the packages cannot be installed."
-for package in pastoso pastoso-cli pastoso-doc libpastoso-dev; do
+for package in pastoso pastoso-cli pastoso-doc libpastoso-dev python3-pastoso; do
     # shellcheck disable=SC2016  # dpkg-query expands it
     say "$package: $(inside dpkg-query -W -f '${Installed-Size}' "$package") KiB installed, $(stat -c %s "$folder/${package}"_*.deb) bytes packed"
 done
@@ -35,6 +35,9 @@ say "Painting"
 inside pastoso-cli --version
 inside pastoso-cli replay /usr/share/pastoso/strokes/sampler.json --px-per-mm 2 -q -o /tmp/sampler.png
 inside xvfb-run -a -s '-screen 0 1600x1200x24' pastoso --screenshot /tmp/window.png --after 2
+inside python3 -c 'import pastoso; pastoso.Painting.replay("/usr/share/pastoso/strokes/palette.json").save("/tmp/python.webp")'
+inside pastoso-cli replay /usr/share/pastoso/strokes/palette.json -q -o /tmp/replay.webp
+cmp -- "$bare/tmp/python.webp" "$bare/tmp/replay.webp" || fail "Python does not paint what pastoso-cli paints."
 cp -- "$bare/tmp/sampler.png" "$bare/tmp/window.png" "$folder/"
 
 say "Building a program of others with the engine"
@@ -45,7 +48,7 @@ inside cmake --build /tmp/example/build
 inside ctest --test-dir /tmp/example/build --output-on-failure
 
 say "Removing"
-inside apt-get -q -y purge pastoso pastoso-cli pastoso-doc libpastoso-dev
+inside apt-get -q -y purge pastoso pastoso-cli pastoso-doc libpastoso-dev python3-pastoso
 left="$(inside find / -xdev -iname '*pastoso*' -not -path '/proc/*' -not -path '/tmp/*' -not -path '/var/cache/*' -not -path '/root/*')"
 [[ -z $left ]] || fail "this was left behind: $left"
 say "The packages install, paint and go; pictures of it are in $folder"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes Debian packages of what is committed: pastoso (the window), pastoso-cli, pastoso-doc and libpastoso-dev
-# (the engine, for programs of others). The same commit gives the same packages, bit by bit, in any folder.
+# Makes Debian packages of what is committed: pastoso (the window), pastoso-cli, pastoso-doc, libpastoso-dev and
+# python3-pastoso (the engine, for programs of others and for Python). The same commit gives the same packages, bit by bit, in any folder.
 #
 # Usage: packaging/deb.sh [FOLDER]
 #   FOLDER   where to build, and to leave the packages; build/packages otherwise
@@ -18,11 +18,11 @@ esac
 version="$(sed -n 's/^project(Pastoso VERSION \([0-9.]*\) .*/\1/p' "$root/CMakeLists.txt")"
 committed_at="$(git -C "$root" log -1 --format=%ct)" || fail "packages are made of a Git checkout, and this is none."
 
-# The packages of a group of packages.txt, separated by commas.
-listed() { packages_of "$1" | sort -u | paste -sd, | sed 's/,/, /g'; }
+# The packages of groups of packages.txt, separated by commas.
+listed() { packages_of "$@" | sort -u | paste -sd, | sed 's/,/, /g'; }
 
 write_control() {
-    sed -e "s/@BUILD_PACKAGES@/$(listed build), $(listed book)/" -e "s/@RUN_PACKAGES@/$(listed run)/" \
+    sed -e "s/@BUILD_PACKAGES@/$(listed build python book)/" -e "s/@RUN_PACKAGES@/$(listed run)/" \
         -e "s/@ENGINE_PACKAGES@/$(listed engine)/" control.in >control
     rm control.in
 }

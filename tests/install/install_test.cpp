@@ -35,7 +35,7 @@ TEST_F(Installed, EveryFileIsOfOneComponent) {
     install(folder / "all");
     std::set<std::string> together;
     std::size_t count = 0;
-    for (const char* component : {"cli", "window", "docs", "development"}) {
+    for (const char* component : {"cli", "window", "docs", "development", "python"}) {
         install(folder / component, {component});
         const std::set<std::string> files = files_below(folder / component);
         count += files.size();
