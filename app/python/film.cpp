@@ -1,7 +1,9 @@
+#include "core/check.hpp"
 #include "document/painting.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/film_fields.hpp"
+#include "python/film_figures.hpp"
 #include "python/film_work.hpp"
 #include "python/pictures.hpp"
 #include "python/pools.hpp"
@@ -66,65 +68,6 @@ py::array read(FilmWork& work, const std::string& name, const py::object& out) {
     return array;
 }
 
-py::dict measures(FilmWork& work) {
-    film::Measures seen;
-    double runoff_mm3 = 0.0;
-    work.turn.take([&] {
-        seen = work.simulation->measures();
-        runoff_mm3 = work.simulation->runoff_mm3();
-    });
-    py::dict result;
-    result["volume_mm3"] = seen.volume_mm3;
-    result["max_thickness_mm"] = seen.max_h_mm;
-    result["centroid_mm"] = py::make_tuple(seen.centroid.x_mm, seen.centroid.y_mm);
-    result["wet_box_mm"] =
-        py::make_tuple(seen.wet_box.x0_mm, seen.wet_box.y0_mm, seen.wet_box.x1_mm, seen.wet_box.y1_mm);
-    result["kinetic_energy_J"] = seen.kinetic_energy_J;
-    result["gravity_energy_J"] = seen.gravity_energy_J;
-    result["surface_energy_J"] = seen.surface_energy_J;
-    result["runoff_mm3"] = runoff_mm3;
-    return result;
-}
-
-py::object front(FilmWork& work) {
-    std::optional<film::Front> seen;
-    work.turn.take([&] { seen = work.simulation->front(); });
-    if (!seen) return py::none();
-    py::dict result;
-    result["tip_mm"] = seen->tip_mm;
-    result["width_mm"] = seen->width_mm;
-    result["radius_mm"] = seen->radius_mm;
-    result["roundness"] = seen->roundness;
-    result["fullness"] = seen->fullness;
-    result["thickness_mm"] = seen->thickness_mm;
-    return result;
-}
-
-py::array_t<double> profile(FilmWork& work, const std::string& along, double at_mm) {
-    if (along != "x" && along != "y")
-        throw core::InputError("a profile goes along \"x\" or \"y\", not along \"" + along + "\".");
-    const film::Axis axis = along == "x" ? film::Axis::X : film::Axis::Y;
-    std::vector<double> numbers;
-    work.turn.take([&] {
-        for (const film::ProfilePoint& point : work.simulation->profile(axis, at_mm))
-            numbers.insert(numbers.end(), {point.along_mm, point.support_mm, point.thickness_mm,
-                                           point.velocity_x_mm_s, point.velocity_y_mm_s});
-    });
-    const auto count = static_cast<py::ssize_t>(numbers.size() / 5);
-    return array_of(std::move(numbers), {count, 5});
-}
-
-py::dict report(FilmWork& work) {
-    film::AdvanceReport seen;
-    work.turn.take([&] { seen = work.simulation->report(); });
-    py::dict result;
-    result["steps"] = seen.steps;
-    result["clamped_faces"] = seen.clamped_faces;
-    result["rejected_steps"] = seen.rejected_steps;
-    result["lagging_steps"] = seen.lagging_steps;
-    return result;
-}
-
 py::array render(FilmWork& work, const py::kwargs& wanted) {
     PictureWish wish = picture_wish(wanted);
     RenderedPicture picture;
@@ -137,6 +80,11 @@ py::array render(FilmWork& work, const py::kwargs& wanted) {
         film = {};
     }
     return array_of(std::move(picture));
+}
+
+/// For those who test what comes of it.
+void break_invariant(FilmWork& work) {
+    work.turn.take([&] { PASTOSO_CHECK_OP(work.film().cell_mm, <, 0.0); });
 }
 
 template <class Value>
@@ -173,22 +121,23 @@ void add_film(py::module_& module) {
             "made.\n"
             "The engine counts paint in whole quanta, in tiles: this is the one conversion. Returns the "
             "array.")
-        .def("measures", &measures,
+        .def("measures", &measures_of,
              "Sums and extremes, as a dict: volume_mm3, max_thickness_mm, centroid_mm (x, y), "
              "wet_box_mm (left, top,\n"
              "right, bottom), kinetic_energy_J, gravity_energy_J, surface_energy_J, and runoff_mm3, "
              "what has run off\n"
              "open edges. nan where a dry canvas has none.")
-        .def("front", &front,
+        .def("front", &front_of,
              "Of paint that runs along a force: tip_mm, the foremost point along it, width_mm, "
              "radius_mm, roundness,\n"
              "fullness and thickness_mm, as a dict; None without paint or force, and for a front of "
              "less than 8 cells.")
-        .def("profile", &profile, py::arg("along"), py::arg("at_mm"),
+        .def("profile", &profile_of, py::arg("along"), py::arg("at_mm"),
              "The line y = at_mm (along \"x\") or x = at_mm (along \"y\"), an array of float64 (cells, "
              "5): place mm,\n"
              "support mm, thickness mm, velocity along x and along y in mm/s.")
-        .def("report", &report,
+        .def("_break_invariant", &break_invariant)
+        .def("report", &report_of,
              "What stepping has taken so far, as a dict: steps; clamped_faces, whose speed was cut; "
              "rejected_steps,\n"
              "tried again in halves; lagging_steps, in which paint went slower than it would.")

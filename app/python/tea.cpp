@@ -141,6 +141,8 @@ void add_tea(py::module_& module) {
             "pour_by_hand",
             [](TeaWork& work, std::optional<std::array<float, 2>> at_m) {
                 std::optional<glm::vec2> place;
+                for (int axis = 0; at_m && axis < 2; ++axis)
+                    document::check_between("place to pour at", "m", (*at_m)[axis], -10.0, 10.0);
                 if (at_m) place = glm::vec2((*at_m)[0], (*at_m)[1]);
                 work.turn.take([&] { work.tea.pour_by_hand(place); });
             },

@@ -71,6 +71,29 @@ class Sentences(InFolder):
         self.input_error(lambda: film.advance(float("nan")))
         self.input_error(lambda: pastoso.Film({**SCENE, "film": []}, threads=-1))
 
+    def test_of_broken_invariants_are_told_and_end_the_object(self):
+        film = pastoso.Film({**SCENE, "film": []})
+        with self.assertRaises(pastoso.InternalError) as caught:
+            film._break_invariant()
+        sentence = str(caught.exception)
+        self.assertIn("broken invariant: work.film().cell_mm < 0.0 (1 against 0)", sentence)
+        for work in (lambda: film.advance(0.1), lambda: film.thickness, film.measures, film.render):
+            with self.assertRaises(pastoso.InternalError) as caught:
+                work()
+            self.assertEqual(str(caught.exception), sentence)
+        pastoso.Film({**SCENE, "film": []}).advance(0.1)
+
+    def test_of_places_that_cannot_be(self):
+        film = pastoso.Film({**SCENE, "film": []})
+        self.input_error(lambda: film.profile("x", float("nan")))
+        self.input_error(lambda: film.profile("x", 7))
+        self.input_error(lambda: film.profile("z", 1))
+        for cells in ((0, 0, 11, 6), (5, 0, 5, 6), (-1, 0, 4, 4)):
+            self.input_error(lambda: film.render(cells=cells))
+        for scale in (0, 65, float("nan")):
+            self.input_error(lambda: film.render(scale=scale))
+        self.input_error(lambda: pastoso.Tea({"cells": 8, "parcels": 9}).pour_by_hand((float("nan"), 0)))
+
     def test_are_value_errors_and_internal_ones_are_not(self):
         self.assertTrue(issubclass(pastoso.InputError, ValueError))
         self.assertTrue(issubclass(pastoso.InternalError, RuntimeError))
