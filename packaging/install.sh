@@ -2,14 +2,14 @@
 # Installs the Debian packages of packages.txt that are missing; does nothing when all are there.
 #
 # Usage: packaging/install.sh [GROUP...]
-#   GROUP   engine, build, run, python, test, bench, fuzz or deb, with the groups that it needs; without one: build and run
+#   GROUP   engine, build, run, python, test, bench, fuzz, book, archive or deb, with the groups that it needs; without one: build and run
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 groups=()
 for argument in "$@"; do
     case "$argument" in
         -h | --help) print_help; exit 0 ;;
-        engine | build | run | python | test | bench | fuzz | deb) groups+=("$argument") ;;
+        engine | build | run | python | test | bench | fuzz | book | archive | deb) groups+=("$argument") ;;
         *) refuse_argument "$argument" ;;
     esac
 done
