@@ -1,6 +1,7 @@
 #include "document/painting.hpp"
 
 #include "core/error.hpp"
+#include "document/actions/field_checks.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/painting_files.hpp"
@@ -88,6 +89,11 @@ void paint_picture(PaintingWork& work, const py::array_t<std::uint8_t, py::array
     work.turn.take([&] { perform(paint, work); });
 }
 
+void set_undo_memory(PaintingWork& work, double mib) {
+    document::check_between("memory for undo", "MiB", mib, 0.0, 1e6);
+    work.turn.take([&] { work.painting->set_history_budget(static_cast<std::size_t>(mib * 0x1p20)); });
+}
+
 template <class Value>
 auto seen(Value (*value)(const document::Painting&)) {
     return [value](PaintingWork& work) { return work.turn.take([&] { return value(*work.painting); }); };
@@ -164,6 +170,9 @@ void add_painting(py::module_& module) {
             "recording,\n"
             "NAME.json; or its picture, NAME.png and what else is known. The file is written aside and "
             "renamed.")
+        .def("set_undo_memory", &set_undo_memory, py::arg("mib"),
+             "How much memory, MiB, the states that undo() returns to may take; 512 at first, 0 for no "
+             "undo.")
         .def(
             "recording_json",
             [](PaintingWork& work) {

@@ -152,6 +152,13 @@ class Steps(unittest.TestCase):
         painting.redo()
         self.assertEqual(painting.state_hash, after)
 
+    def test_are_forgotten_without_memory(self):
+        painting = painted()
+        before = painting.state_hash
+        painting.set_undo_memory(0)
+        painting.undo()
+        self.assertEqual((painting.undo_steps, painting.state_hash), ([], before))
+
     def test_of_drying_turn_wet_paint_into_support(self):
         painting = painted()
         wet, ground = painting.thickness, painting.support

@@ -76,9 +76,8 @@ def main() -> None:
     parser.add_argument("--brush", default="classic/brush", help="of MyPaint")
     arguments = parser.parse_args()
     side, seed = 256, 1
-    path = arguments.photograph or paint_photograph.sample_photograph()
     environment = StrokeEnvironment(side)
-    photograph = paint_photograph.square_photograph(path, side)
+    photograph = paint_photograph.square_photograph(arguments.photograph, side)
     actions = paint_photograph.paint(photograph, arguments.strokes, seed, environment).actions
     ours = paint_photograph.strokes_per_s(actions, environment, seed)
     canvas = MypaintCanvas(environment, arguments.brush)

@@ -19,13 +19,17 @@ from stroke_environment import StrokeEnvironment
 # Width in mm on a canvas of 128 mm, and the share of all strokes.
 PASSES = ((24.0, 0.05), (13.0, 0.10), (7.5, 0.18), (4.5, 0.27), (2.7, 0.40))
 CANDIDATES = 40
+# Of the sample: left, top and side, pixels.
+SAMPLE_HEAD = (100, 0, 330)
 
 
-def square_photograph(path: str, side: int) -> np.ndarray:
-    """The middle of a photograph as floats from 0 to 1 (side, side, 3)."""
-    picture = Image.open(path).convert("RGB")
+def square_photograph(path: str | None, side: int) -> np.ndarray:
+    """The middle of a photograph, or the head of the sample, as floats from 0 to 1 (side, side, 3)."""
+    picture = Image.open(path or sample_photograph()).convert("RGB")
     edge = min(picture.size)
     left, top = (picture.width - edge) // 2, (picture.height - edge) // 4
+    if path is None:
+        left, top, edge = SAMPLE_HEAD
     picture = picture.crop((left, top, left + edge, top + edge)).resize((side, side), Image.LANCZOS)
     return np.asarray(picture, dtype=np.float64) / 255.0
 
@@ -191,7 +195,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
 
-    photograph = square_photograph(arguments.photograph or sample_photograph(), arguments.side)
+    photograph = square_photograph(arguments.photograph, arguments.side)
     environment = StrokeEnvironment(arguments.side)
     bare = float(np.sqrt(np.mean((photograph - environment.render(lit=False) / 255.0) ** 2)))
     begin = time.perf_counter()

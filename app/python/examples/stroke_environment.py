@@ -42,6 +42,7 @@ class StrokeEnvironment:
         self._width_mm = 0.0
         self.strokes = 0
         self.painting = pastoso.Painting(self.side_mm, self.side_mm, 2, self._support, threads=self._threads)
+        self.painting.set_undo_memory(0)
         self.painting.use_medium(self._medium)
         return self.render()
 
