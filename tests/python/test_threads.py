@@ -1,6 +1,7 @@
 """Python goes on while the engine computes, and one object is used by one thread at a time."""
 
 import signal
+import tempfile
 import threading
 import time
 import unittest
@@ -53,6 +54,10 @@ class OtherThreads(unittest.TestCase):
         self.assertGreater(progress_during(lambda: painting.stroke(samples)), 5)
         self.assertGreater(progress_during(lambda: painting.advance(1)), 5)
         self.assertGreater(progress_during(lambda: pastoso.Painting.replay(painting.recording())), 5)
+        with tempfile.TemporaryDirectory() as folder:
+            file = f"{folder}/a.pastoso"
+            self.assertGreater(progress_during(lambda: painting.save(file)), 5)
+            self.assertGreater(progress_during(lambda: pastoso.Painting.open(file)), 5)
 
     def test_go_on_while_liquids_move(self):
         tea = pastoso.Tea({"cells": 32, "parcels": 20000}, threads=1)
