@@ -32,9 +32,16 @@ def project(key: str) -> str:
     return re.search(rf'^{key} = "(.*)"$', (ROOT / "pyproject.toml").read_text(), re.M).group(1)
 
 
+def needed() -> list:
+    """The list `dependencies` of that table."""
+    listed = re.search(r"^dependencies = \[(.*)\]$", (ROOT / "pyproject.toml").read_text(), re.M).group(1)
+    return re.findall(r'"(.*?)"', listed)
+
+
 def metadata() -> str:
+    needs = "".join(f"Requires-Dist: {package}\n" for package in needed())
     return (f"Metadata-Version: 2.1\nName: {project('name')}\nVersion: {version()}\nSummary: {project('description')}\n"
-            f"License: GPL-3.0-or-later\nRequires-Python: {project('requires-python')}\nRequires-Dist: numpy>=1.19\n"
+            f"License: GPL-3.0-or-later\nRequires-Python: {project('requires-python')}\n{needs}"
             f"Description-Content-Type: text/markdown\n\n{(ROOT / 'docs/python.md').read_text()}")
 
 
