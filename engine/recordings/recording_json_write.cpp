@@ -119,9 +119,8 @@ class EntryWriter {
 /// The oldest version that can say it: not less than the first that still is written.
 int version_needed(const document::Recording& recording) {
     constexpr int kOldestWritten = 3, kCloth = 6, kWithArithmetic = 9;
-    if (recording.arithmetic > 1) return kWithArithmetic;
     const bool on_cloth = recording.canvas.support_x_mm != 0.0 || recording.canvas.support_y_mm != 0.0;
-    int version = on_cloth ? kCloth : kOldestWritten;
+    int version = recording.arithmetic > 1 ? kWithArithmetic : on_cloth ? kCloth : kOldestWritten;
     for (const Event& event : recording.events)
         version = std::max(version, document::version_needed(event.action));
     return version;

@@ -417,6 +417,18 @@ TEST(RecordingJson, KnowsTheArithmeticThatItWasPaintedWith) {
     EXPECT_EQ(error(later), "s.json, arithmetic: 7 is not between 1 and 6.");
 }
 
+/// Whichever arithmetic it was painted with.
+TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
+    for (const int arithmetic : {1, document::kArithmetic}) {
+        Recording recording;
+        recording.arithmetic = arithmetic;
+        recording.events = {{0, TurnStroke{0.5}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 10,")) << arithmetic;
+        recording.events.push_back({0, LayBrushAside{}});
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 11,")) << arithmetic;
+    }
+}
+
 TEST(RecordingJson, RefusesAbsurdCanvases) {
     const auto canvas_error = [](const std::string& canvas) {
         return error(R"({"format":"pastoso-strokes","version":1,"canvas":)" + canvas +
