@@ -71,6 +71,29 @@ std::vector<glm::vec2> around_both(std::vector<glm::vec2> line, const std::vecto
     return line;
 }
 
+/// Those of the convex hull, among which are the farthest points of every direction (A. M. Andrew,
+/// 1979).
+std::vector<glm::vec2> corners(std::vector<glm::vec2> points) {
+    const auto before = [](const glm::vec2& a, const glm::vec2& b) {
+        return a.x < b.x || (a.x == b.x && a.y < b.y);
+    };
+    const auto turns_left = [](const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
+        return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
+    };
+    std::sort(points.begin(), points.end(), before);
+    std::vector<glm::vec2> hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t first = hull.size();
+        for (const glm::vec2& point : points) {
+            while (hull.size() >= first + 2 && !turns_left(hull[hull.size() - 2], hull.back(), point))
+                hull.pop_back();
+            hull.push_back(point);
+        }
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
 }  // namespace
 
 BrushOutline::BrushOutline(const brush::Preset& tool) : tool_(tool), tip_(brush::make_tip(tool, 1)) {}
@@ -111,12 +134,13 @@ std::vector<std::vector<glm::vec2>> BrushOutline::swept_mm(const std::vector<bru
 
 /// In every direction, the point of the circles that lies farthest there.
 std::vector<glm::vec2> hull_mm(const std::vector<glm::vec2>& centres_mm, double radius_mm) {
+    const std::vector<glm::vec2> corners_mm = corners(centres_mm);
     std::vector<glm::vec2> line;
     line.reserve(kPoints);
     for (int i = 0; i < kPoints; ++i) {
         const glm::vec2 outward(direction(i));
         const auto farthest = std::max_element(
-            centres_mm.begin(), centres_mm.end(),
+            corners_mm.begin(), corners_mm.end(),
             [&](const auto& a, const auto& b) { return glm::dot(a, outward) < glm::dot(b, outward); });
         line.push_back(*farthest + static_cast<float>(radius_mm) * outward);
     }

@@ -329,6 +329,7 @@ QRegion RasterPicture::changed_pixels(const RasterScene& scene, const QRegion& c
 
 /// Brings the canvas into the colours and levels of the screen, as kFinishShader does it.
 void RasterPicture::finish(const QRect& part, const RasterScene& scene, core::ThreadPool& pool) {
+    changed_ += part;
     uchar* const first = image_.bits();
     pool.run(static_cast<std::size_t>(part.height()), [&](std::size_t row, int) {
         const int y = part.top() + static_cast<int>(row);

@@ -11,6 +11,7 @@
 #include "shade/surface.hpp"
 
 #include <optional>
+#include <utility>
 
 #include <QImage>
 #include <QRegion>
@@ -31,6 +32,9 @@ class RasterPicture {
     void refine(core::ThreadPool& pool);
 
     const QImage& image() const { return image_; }
+
+    /// The pixels that are others since this was asked last.
+    QRegion take_changed() { return std::exchange(changed_, QRegion()); }
 
     /// Where the scale of Look::Height ends: as high as the paint has been since that look began.
     double scale_top_mm() const { return scale_top_mm_; }
@@ -72,6 +76,7 @@ class RasterPicture {
     double highest_mm_ = 0.0, scale_top_mm_ = 0.1;
     QImage canvas_;  ///< in the window, in 16 bits; what the screen makes of it is in the image
     QImage image_;
+    QRegion changed_;  ///< of it
 };
 
 }  // namespace pastoso::screen

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <QPainter>
+#include <QPicture>
 
 namespace pastoso::screen {
 namespace {
@@ -43,7 +44,7 @@ RasterScreen::RasterScreen(ScreenHost& host, QWidget& parent)
     rest_.setInterval(kRest_ms);
     connect(&rest_, &QTimer::timeout, this, &RasterScreen::refine);
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
-            &RasterScreen::refresh);
+            &RasterScreen::damage_all);
 }
 
 RasterScene RasterScreen::wanted_scene() const {
@@ -59,7 +60,44 @@ void RasterScreen::refresh() {
         asked_ = wanted;
         worker_.replace(Frame{std::move(wanted)});
     }
+    update_overlay();
+}
+
+void RasterScreen::damage_all() {
+    refresh();
     update();
+}
+
+/// Otherwise it is drawn moved, everywhere, until there is one from there.
+bool RasterScreen::is_where_it_is_seen() const {
+    return frame_ && frame_->scene.view == host_.view_transform() &&
+           frame_->scene.window_px == window_px(*this);
+}
+
+/// With room for lines and their soft edges.
+QRect RasterScreen::overlay_points() const {
+    constexpr int kRoom = 3;
+    QPicture drawn;
+    QPainter painter(&drawn);
+    RasterOverlay overlay(painter, devicePixelRatioF());
+    host_.draw_over(*frame_->scene.sight.painting, overlay);
+    painter.end();
+    return drawn.boundingRect().adjusted(-kRoom, -kRoom, kRoom, kRoom);
+}
+
+void RasterScreen::update_overlay() {
+    if (!is_where_it_is_seen()) return update();
+    const QRect before = std::exchange(overlay_, overlay_points());
+    update(QRegion(before) + overlay_);
+}
+
+void RasterScreen::update_picture(const QRegion& changed_px) {
+    if (!is_where_it_is_seen()) return update();
+    const double point_px = devicePixelRatioF();
+    for (const QRect& part : changed_px)
+        update(QRectF(part.x() / point_px, part.y() / point_px, part.width() / point_px,
+                      part.height() / point_px)
+                   .toAlignedRect());
 }
 
 /// Not drawn yet: the view comes to suit the canvas first.
@@ -83,6 +121,7 @@ void RasterScreen::make(Frame& frame) {
         frame.is_drafted_now = picture_.show(frame.scene, pool_);
     frame.is_draft = picture_.is_draft();
     frame.image = picture_.image();
+    frame.changed = picture_.take_changed();
     frame.scale_top_mm = picture_.scale_top_mm();
     hand_over(std::move(frame));
 }
@@ -90,6 +129,7 @@ void RasterScreen::make(Frame& frame) {
 void RasterScreen::hand_over(Frame frame) {
     {
         const std::lock_guard lock(mutex_);
+        if (made_) frame.changed += made_->changed;
         made_ = std::move(frame);
     }
     QMetaObject::invokeMethod(this, &RasterScreen::take_frame, Qt::QueuedConnection);
@@ -103,7 +143,13 @@ void RasterScreen::take_frame() {
     }
     if (!made) return;
     if (!made->fault.empty()) throw core::InputError(made->fault);
+    const bool moved = !frame_ || frame_->scene.view != made->scene.view ||
+                       frame_->scene.window_px != made->scene.window_px;
     frame_ = std::move(made);
+    if (moved)
+        update();
+    else
+        update_picture(frame_->changed);
     if (frame_->scene.sight.look == Look::Height) host_.scale_shown(frame_->scale_top_mm);
     if (frame_->is_drafted_now)
         rest_.start();

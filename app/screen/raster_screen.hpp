@@ -22,7 +22,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     QWidget& widget() override { return *this; }
     void refresh() override;
     void begin_other_canvas() override;
-    void damage_all() override { refresh(); }
+    void damage_all() override;
     bool finished() const override;
     const document::Snapshot* shown() const override;
     QImage picture() override;
@@ -39,6 +39,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
         bool refines = false;  ///< the picture that is there already
         bool is_draft = false, is_drafted_now = false;
         QImage image{};
+        QRegion changed{};  ///< of the image since the frame before
         double scale_top_mm = 0.0;
         std::string fault{};  ///< in one sentence, instead of the picture
     };
@@ -48,6 +49,10 @@ class RasterScreen : public QWidget, public CanvasScreen {
     void hand_over(Frame frame);
     void take_frame();
     void refine();
+    bool is_where_it_is_seen() const;
+    QRect overlay_points() const;
+    void update_overlay();
+    void update_picture(const QRegion& changed_px);
     void draw(QPainter& painter);
 
     ScreenHost& host_;
@@ -56,6 +61,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     std::optional<RasterScene> asked_;
     std::optional<Frame> frame_;  ///< on the screen
     QTimer rest_;                 ///< since a draft was made
+    QRect overlay_;               ///< what is drawn over it lies there, in points
     std::mutex mutex_;
     std::optional<Frame> made_;   ///< and not on it yet
     core::Worker<Frame> worker_;  ///< the last: it ends before what it works with

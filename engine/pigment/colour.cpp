@@ -45,11 +45,12 @@ LinearRgb linear_srgb(const Bands& reflectance) {
 LinearRgb into_gamut(const LinearRgb& colour, WorkingSpace space) {
     const float grey = std::clamp(luminance(colour, space), 0.0F, 1.0F);
     const float share = fitting_share(colour, grey);
-    if (share == 1.0F) return colour;
     LinearRgb mapped{};
     for (int i = 0; i < 3; ++i) {
+        const float clipped = std::clamp(colour[i], 0.0F, 1.0F);
         const float desaturated = grey + share * (colour[i] - grey);
-        mapped[i] = std::clamp(0.5F * (std::clamp(colour[i], 0.0F, 1.0F) + desaturated), 0.0F, 1.0F);
+        // A channel that is outside by less than rounding tells needs no share of grey.
+        mapped[i] = share == 1.0F ? clipped : std::clamp(0.5F * (clipped + desaturated), 0.0F, 1.0F);
     }
     return mapped;
 }

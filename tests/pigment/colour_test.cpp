@@ -4,6 +4,8 @@
 #include "core/text_file.hpp"
 #include "pigment/lab.hpp"
 
+#include <cmath>
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -53,6 +55,22 @@ TEST(IntoGamut, IsTheMeanOfClippingAndDesaturating) {
     EXPECT_NEAR(mapped[0], 0.5F * (1.0F + grey + share * (1.2F - grey)), 1e-6F);
     EXPECT_NEAR(mapped[1], 0.5F * (0.5F + grey + share * (0.5F - grey)), 1e-6F);
     EXPECT_NEAR(mapped[2], 0.5F * (0.0F + grey + share * (-0.1F - grey)), 1e-6F);
+}
+
+/// Also what lies outside by less than the share of grey that would bring it in can tell.
+TEST(IntoGamut, LeavesNothingOutsideByARounding) {
+    for (const float outside :
+         {-1e-38F, -1e-17F, -1e-9F, -1e-8F, -1e-7F, std::nextafter(1.0F, 2.0F), 1.0000005F})
+        for (int channel = 0; channel < 3; ++channel) {
+            LinearRgb colour{0.3F, 0.9F, 0.5F};
+            colour[channel] = outside;
+            const LinearRgb mapped = into_gamut(colour);
+            for (int i = 0; i < 3; ++i) {
+                EXPECT_GE(mapped[i], 0.0F) << outside;
+                EXPECT_LE(mapped[i], 1.0F) << outside;
+                EXPECT_NEAR(mapped[i], colour[i], 1e-6F) << outside;
+            }
+        }
 }
 
 TEST(IntoGamut, AlwaysFits) {

@@ -123,7 +123,7 @@ TEST_F(OldFormat, NineHasNoBrushAside) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-9.pastoso"), pool);
     EXPECT_EQ(old.painting.value.brush_aside, nullptr);
     EXPECT_TRUE(old.painting.value.brush->brush.holds_paint());
-    EXPECT_EQ(old.notes, std::vector<std::string>());
+    EXPECT_THAT(old.notes, testing::ElementsAre(testing::HasSubstr("(arithmetic 5, now ")));
     EXPECT_EQ(document::state_hash(old.painting), 0x4b576c071a99a065U);
 }
 
