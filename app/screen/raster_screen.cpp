@@ -60,7 +60,14 @@ void RasterScreen::refresh() {
         asked_ = wanted;
         worker_.replace(Frame{std::move(wanted)});
     }
-    update_overlay();
+    look_at_overlay();
+}
+
+/// Later, and once for all that has happened until then: whoever asks for it may be in the middle of a
+/// change, or of its end.
+void RasterScreen::look_at_overlay() {
+    if (std::exchange(looks_at_overlay_, true)) return;
+    QMetaObject::invokeMethod(this, &RasterScreen::update_overlay, Qt::QueuedConnection);
 }
 
 void RasterScreen::damage_all() {
@@ -86,6 +93,7 @@ QRect RasterScreen::overlay_points() const {
 }
 
 void RasterScreen::update_overlay() {
+    looks_at_overlay_ = false;
     if (!is_where_it_is_seen()) return update();
     const QRect before = std::exchange(overlay_, overlay_points());
     update(QRegion(before) + overlay_);

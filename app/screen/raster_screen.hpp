@@ -51,6 +51,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     void refine();
     bool is_where_it_is_seen() const;
     QRect overlay_points() const;
+    void look_at_overlay();
     void update_overlay();
     void update_picture(const QRegion& changed_px);
     void draw(QPainter& painter);
@@ -62,6 +63,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     std::optional<Frame> frame_;  ///< on the screen
     QTimer rest_;                 ///< since a draft was made
     QRect overlay_;               ///< what is drawn over it lies there, in points
+    bool looks_at_overlay_ = false;
     std::mutex mutex_;
     std::optional<Frame> made_;   ///< and not on it yet
     core::Worker<Frame> worker_;  ///< the last: it ends before what it works with
