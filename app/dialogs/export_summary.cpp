@@ -4,7 +4,6 @@
 #include "core/looking.hpp"
 #include "core/memory.hpp"
 #include "core/units.hpp"
-#include "dialogs/length_box.hpp"
 #include "document/canvas.hpp"
 #include "files/file_access.hpp"
 

@@ -20,14 +20,6 @@ QString topic_of_section(const QString& page, const Section& section) {
     return section.level == 1 ? page : page + QLatin1Char('#') + section.anchor;
 }
 
-template <class Item>
-QString topic_of_item(const Item* item) {
-    if constexpr (std::is_same_v<Item, QTreeWidgetItem>)
-        return item->data(0, kTopicRole).toString();
-    else
-        return item->data(kTopicRole).toString();
-}
-
 QToolButton* way_button(const QString& words, Qt::ArrowType arrow, const QKeySequence& key) {
     auto* button = new QToolButton;
     button->setArrowType(arrow);
@@ -68,10 +60,10 @@ HelpWindow::HelpWindow(Manual manual, QWidget* parent)
     fill_contents();
     connect(words_, &QLineEdit::textChanged, this, &HelpWindow::search);
     connect(contents_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-        if (item != nullptr) view_->show_topic(topic_of_item(item));
+        if (item != nullptr) view_->show_topic(item->data(0, kTopicRole).toString());
     });
     connect(found_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
-        if (item != nullptr) view_->show_topic(topic_of_item(item));
+        if (item != nullptr) view_->show_topic(item->data(kTopicRole).toString());
     });
     connect(view_, &QTextBrowser::historyChanged, this, &HelpWindow::mark_page);
     resize(960, 640);
@@ -120,7 +112,7 @@ void HelpWindow::mark_page() {
     const QString name = view_->page_name();
     for (int i = 0; i < contents_->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = contents_->topLevelItem(i);
-        if (topic_of_item(item) != name) continue;
+        if (item->data(0, kTopicRole).toString() != name) continue;
         const QTreeWidgetItem* current = contents_->currentItem();
         if (current == item || (current != nullptr && current->parent() == item)) return;
         const QSignalBlocker blocker(contents_);

@@ -19,7 +19,6 @@ constexpr Topic kTopics[] = {
     {"pastoso::panels::MediumBox", "paint#kinds-of-paint"},
     {"pastoso::panels::MediumPanel", "paint#kinds-of-paint"},
     {"pastoso::panels::ThinningSlider", "paint#from-paste-to-stain"},
-    {"pastoso::panels::WellView", "paint#the-mixing-well"},
     {"pastoso::panels::EaselPanel", "paint#tilt-and-drying"},
     {"pastoso::panels::PenDialog", "pen"},
     {"pastoso::panels::PopupPalette", "pen#the-pop-up-palette"},

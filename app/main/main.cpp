@@ -94,7 +94,8 @@ void use(const pastoso::tools::Preferences& preferences) {
 void guard_against_crashes() {
     const std::filesystem::path folder = pastoso::crash::reports_folder();
     if (folder.empty()) return;
-    pastoso::crash::guard(folder, pastoso::main::words_of(pastoso::main::machine_facts()).toStdString());
+    pastoso::crash::guard(folder,
+                          pastoso::dialogs::words_of(pastoso::main::machine_facts()).toStdString());
 }
 
 pastoso::document::CanvasSettings first_canvas(double live_px_per_mm) {

@@ -70,11 +70,4 @@ Facts machine_facts() {
     return facts;
 }
 
-QString words_of(const Facts& facts) {
-    QString words;
-    for (const auto& [what, how] : facts)
-        words += QStringLiteral("%1: %2\n").arg(what, how);
-    return words;
-}
-
 }  // namespace pastoso::main
