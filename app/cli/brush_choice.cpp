@@ -17,7 +17,7 @@ document::TakeBrush with_definition(const brush::Preset& preset) {
 /// An unknown name may be that of a file that could not be read.
 std::string with_faults(std::string message, const std::vector<brush::PresetLibrary::Fault>& faults) {
     for (const auto& fault : faults)
-        message += " Left out: " + fault.sentence;
+        message += " Left out: " + fault.sentence.text();
     return message;
 }
 
@@ -32,7 +32,7 @@ document::TakeBrush chosen_brush(const std::string& name) {
     try {
         return {.preset = brush::find_preset(name).name};
     } catch (const core::InputError& unknown) {
-        throw core::InputError(with_faults(unknown.what(), library.faults));
+        throw core::InputError(core::Message::verbatim(with_faults(unknown.what(), library.faults)));
     }
 }
 

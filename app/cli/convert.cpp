@@ -68,8 +68,8 @@ void run_convert(const ConvertOptions& options) {
     files::check_writable(options.output);
     core::ThreadPool pool(options.threads);
     const project::LoadedProject project = imported(options, pool);
-    for (const std::string& note : project.notes)
-        complain(note);
+    for (const core::Message& note : project.notes)
+        complain(note.text());
     stop_if_interrupted();
     project::save_project(options.output, project, pool);
     print_canvas(options, project.painting);

@@ -132,8 +132,8 @@ void write_copy(const document::PaintingState& painting, const ExportOptions& op
 
 project::Project loaded(const ExportOptions& options, core::ThreadPool& pool) {
     project::LoadedProject project = project::load_project(options.project, pool);
-    for (const std::string& note : project.notes)
-        complain(note);
+    for (const core::Message& note : project.notes)
+        complain(note.text());
     return project;
 }
 
@@ -141,18 +141,18 @@ project::Project loaded(const ExportOptions& options, core::ThreadPool& pool) {
 /// throws InputError for choices that cannot be made of them.
 document::Recording strokes_again(const ExportOptions& options,
                                   const std::vector<recordings::ExportChoice>& choices) {
-    std::vector<std::string> notes;
+    std::vector<core::Message> notes;
     document::Recording strokes = project::load_strokes(options.project, notes);
     if (strokes.events.empty())
-        for (const std::string& note : notes)
-            complain(note);
+        for (const core::Message& note : notes)
+            complain(note.text());
     strokes.canvas.px_per_mm = *options.again_px_per_mm;
     const project::RepaintingTerms terms =
         project::repainting_terms(strokes, options.project, core::available_memory_bytes());
     for (const recordings::ExportChoice& choice : choices)
         recordings::export_size({terms.cells, 1.0 / strokes.canvas.px_per_mm}, choice);
-    for (const std::string& note : terms.notes)
-        complain(options.project + ": " + note);
+    for (const core::Message& note : terms.notes)
+        complain(options.project + ": " + note.text());
     if (!options.quiet)
         print("painting %d x %d cells, which takes about %zu MiB of memory\n", terms.cells.width,
               terms.cells.height, terms.memory_bytes >> 20);

@@ -75,7 +75,7 @@ FrameFiles::FrameFiles(fs::path folder, std::string name, const FrameFileOptions
         throw UsageError("--format vdb: this program was built without OpenVDB.");
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (error) throw core::InputError(folder_.string() + ": cannot be made (" + error.message() + ").");
+    if (error) throw core::InputError("%1: cannot be made (%2).", folder_.string(), error.message());
     if (kind_ == Kind::Picture) liquid_files::check_traced_path(path_of(1));
 }
 

@@ -112,8 +112,8 @@ void print_state(const std::string& path) {
     core::ThreadPool pool;
     const project::LoadedProject project = project::load_project(path, pool);
     print("state: %016llx\n", static_cast<unsigned long long>(document::state_hash(project.painting)));
-    for (const std::string& note : project.notes)
-        print("note: %s\n", note.c_str());
+    for (const core::Message& note : project.notes)
+        print("note: %s\n", note.text().c_str());
 }
 
 void print_project(const std::string& path) {
@@ -139,7 +139,7 @@ void print_json_recording(const std::string& path) {
     print_canvas(recording.canvas);
     print("duration: %s\n", time_text(recording.end_tick).c_str());
     if (recording.arithmetic != document::kArithmetic)
-        print("note: its strokes %s\n", document::arithmetic_note(recording.arithmetic).c_str());
+        print("note: its strokes %s\n", document::arithmetic_note(recording.arithmetic).text().c_str());
     print("events: %zu\nstrokes: %ld\n", recording.events.size(), inventory.strokes);
     if (inventory.well_strokes + inventory.squeezes > 0) {
         print("mixing well: %ld of the strokes, paint squeezed %ld times\n", inventory.well_strokes,

@@ -148,6 +148,6 @@ int main(int argc, char** argv) {
     } catch (const Interrupted&) {
         return fail("stopped.", interrupted_status());
     } catch (...) {
-        return fail(pastoso::core::caught_fault(), kBadInput);
+        return fail(pastoso::core::caught_fault().text(), kBadInput);
     }
 }

@@ -78,8 +78,7 @@ pigment::Srgb8 parse_colour(const std::string& text) {
     pigment::check_paint_name(text);
     const auto colour = pigment::parse_hex_colour(text);
     if (!colour) {
-        throw core::InputError("\"" + text +
-                               "\" is a pigment, not a colour; give for example \"#7a5c3e\".");
+        throw core::InputError("\"%1\" is a pigment, not a colour; give for example \"#7a5c3e\".", text);
     }
     return *colour;
 }
@@ -105,9 +104,9 @@ void print_paints() {
         "film of 25 um over white. Tint: one part in ten of white. Opacity: how light 0.1 mm is over\n"
         "black, of what it is over white. Tinting: the parts of white that one part still colours.\n");
     std::string faults;
-    for (const std::string& fault : pigment::user_pigments().faults)
-        faults += (faults.empty() ? "" : " ") + fault;
-    if (!faults.empty()) throw core::InputError(faults);
+    for (const core::Message& fault : pigment::user_pigments().faults)
+        faults += (faults.empty() ? "" : " ") + fault.text();
+    if (!faults.empty()) throw core::InputError(core::Message::verbatim(faults));
 }
 
 void print_paint(const std::string& name) {

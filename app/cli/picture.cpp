@@ -22,10 +22,11 @@ void check_picture_size(const grid::Shape& shape, double scale) {
     const double longest = scale * std::max(shape.width, shape.height);
     const double pixels = scale * scale * shape.width * shape.height;
     if (longest <= 32768.0 && pixels <= 4e8) return;
-    throw core::InputError("A picture at --scale " + core::number_text(scale) + " would be " +
-                           std::to_string(static_cast<long>(scale * shape.width)) + " x " +
-                           std::to_string(static_cast<long>(scale * shape.height)) +
-                           " pixels; at most 32768 a side and 400 million in all are possible.");
+    throw core::InputError(
+        "A picture at --scale %1 would be %2 x %3 pixels; at most 32768 a side and 400 million in all "
+        "are "
+        "possible.",
+        scale, static_cast<long>(scale * shape.width), static_cast<long>(scale * shape.height));
 }
 
 }  // namespace

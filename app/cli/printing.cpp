@@ -50,8 +50,7 @@ void complain(const std::string& sentence) {
 void finish_printing() {
     if (std::fflush(stdout) != 0) keep_first_error();
     if (write_error == 0) return;
-    throw core::InputError("the standard output: cannot be written (" +
-                           std::string(std::strerror(write_error)) + ").");
+    throw core::InputError("the standard output: cannot be written (%1).", std::strerror(write_error));
 }
 
 }  // namespace pastoso::cli

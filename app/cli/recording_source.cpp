@@ -123,9 +123,10 @@ Recording load_text(const ReplayOptions& options) {
     if (options.fit)
         trace = recordings::fitted(trace, width, height, kFitMargin * std::min(width, height));
     if (!recordings::touches_canvas(trace, width, height)) {
-        throw core::InputError(options.strokes +
-                               ": every stroke misses the canvas; positions are taken as "
-                               "millimetres from its upper left corner unless --fit is given.");
+        throw core::InputError(
+            "%1: every stroke misses the canvas; positions are taken as millimetres from its upper left "
+            "corner unless --fit is given.",
+            options.strokes);
     }
     Recording recording = recordings::recording_from_trace(trace, setup);
     if (options.drying_speed) replace_all(recording, drying_of(options));
@@ -139,8 +140,8 @@ bool is_json_recording(const std::string& path) {
 }
 
 void tell_arithmetic(const std::string& path, const Recording& recording) {
-    const std::string older = document::arithmetic_note(recording.arithmetic);
-    if (!older.empty()) complain(path + ": its strokes " + older);
+    const core::Message older = document::arithmetic_note(recording.arithmetic);
+    if (!older.empty()) complain(path + ": its strokes " + older.text());
 }
 
 document::Recording load_recording(const ReplayOptions& options) {

@@ -32,7 +32,7 @@ void tell(const journal::Unfinished& painting) {
     const std::string when = time_text(painting.last_painted);
     if (!painting.fault.empty()) {
         print("%s: %s, cannot be read: %s\n", name_of(painting).c_str(), when.c_str(),
-              painting.fault.c_str());
+              painting.fault.text().c_str());
         return;
     }
     print("%s: %s, %g x %g mm, %zu changes not saved, %s\n", name_of(painting).c_str(), when.c_str(),
@@ -47,12 +47,12 @@ const journal::Unfinished& chosen(const std::vector<journal::Unfinished>& painti
     if (name.empty()) return paintings.front();
     for (const journal::Unfinished& painting : paintings)
         if (name_of(painting) == name) return painting;
-    throw core::InputError("there is no unfinished painting " + name + "; recover --list shows them.");
+    throw core::InputError("there is no unfinished painting %1; recover --list shows them.", name);
 }
 
 journal::Claim claimed(const journal::Unfinished& painting) {
     if (auto claim = journal::Claim::on(painting.folder)) return std::move(*claim);
-    throw core::InputError(name_of(painting) + ": another program is at it.");
+    throw core::InputError("%1: another program is at it.", name_of(painting));
 }
 
 void recover_into(const std::string& path, const journal::Claim& claim, const RecoverOptions& options) {
@@ -65,8 +65,8 @@ void recover_into(const std::string& path, const journal::Claim& claim, const Re
             progress.update(share);
         });
     }
-    for (const std::string& note : recovered.notes)
-        complain(note);
+    for (const core::Message& note : recovered.notes)
+        complain(note.text());
     stop_if_interrupted();
     project::save_project(path, recovered, pool);
     print("%s: the painting\n", path.c_str());
@@ -82,8 +82,8 @@ void check_options(const RecoverOptions& options) {
         throw UsageError("recover --discard needs the NAME of the painting to forget.");
     if (options.output.empty()) return;
     if (!project::is_project_path(options.output)) {
-        throw core::InputError(options.output +
-                               ": a painting is saved as .pastoso; this name ends otherwise.");
+        throw core::InputError("%1: a painting is saved as .pastoso; this name ends otherwise.",
+                               options.output);
     }
     files::check_writable(options.output);
 }

@@ -27,7 +27,7 @@ namespace {
 
 void check_project_path(const std::string& path) {
     if (!project::is_project_path(path))
-        throw core::InputError(path + ": a painting is saved as .pastoso; this name ends otherwise.");
+        throw core::InputError("%1: a painting is saved as .pastoso; this name ends otherwise.", path);
     files::check_writable(path);
 }
 

@@ -39,7 +39,7 @@ void check_runs(const recordings::SceneFile& file, const std::string& label, cor
             const film::Simulation trial(run.scene, pool);
         } catch (const core::InputError& error) {
             const std::string place = run.name.empty() ? label : label + ", run \"" + run.name + "\"";
-            throw core::InputError(place + ": " + error.what());
+            throw core::InputError("%1: %2", place, error.message());
         }
     }
 }

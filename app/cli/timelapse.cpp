@@ -18,10 +18,10 @@ namespace {
 
 document::Recording strokes_of_project(const std::string& path, core::ThreadPool& pool) {
     project::LoadedProject project = project::load_project(path, pool);
-    for (const std::string& note : project.notes)
-        complain(note);
+    for (const core::Message& note : project.notes)
+        complain(note.text());
     if (project.strokes.events.empty())
-        throw core::InputError(path + ": holds no strokes that could be shown again.");
+        throw core::InputError("%1: holds no strokes that could be shown again.", path);
     return std::move(project.strokes);
 }
 

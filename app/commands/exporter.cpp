@@ -26,7 +26,7 @@ files::ExportStatus ExportOutcome::status() const {
 Exporter::Exporter(QObject* parent)
     : QObject(parent),
       worker_([this](ExportJob& job) { end(written(job)); },
-              [this](ExportJob& job, const std::string& fault) {
+              [this](ExportJob& job, const core::Message& fault) {
                   end({.path = path_of(job), .error = fault});
               },
               kNice) {

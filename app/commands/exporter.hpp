@@ -29,7 +29,7 @@ std::filesystem::path path_of(const ExportJob& job);
 
 struct ExportOutcome {
     std::filesystem::path path;
-    std::string error{};  ///< one sentence; empty when the export was written or stopped
+    core::Message error{};  ///< one sentence; empty when the export was written or stopped
     std::variant<recordings::ExportReport, recordings::TimelapseReport, project::LayeredCopyReport>
         report{};  ///< without an error
 

@@ -1,5 +1,6 @@
 #include "commands/project_saver.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/thread_pool.hpp"
 
 #include <utility>
@@ -16,8 +17,8 @@ ProjectSaver::ProjectSaver(QObject* parent)
                                     job.write_protected);
               end({job.number, job.path, {}, stamp_of(file)});
           },
-          [this](Job& job, const std::string& fault) {
-              end({job.number, job.path, QString::fromStdString(fault), std::nullopt});
+          [this](Job& job, const core::Message& fault) {
+              end({job.number, job.path, appearance::shown_message(fault), std::nullopt});
           }) {}
 
 ProjectSaver::~ProjectSaver() {

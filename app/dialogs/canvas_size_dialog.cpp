@@ -1,5 +1,6 @@
 #include "dialogs/canvas_size_dialog.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "dialogs/canvas_size_preview.hpp"
@@ -160,7 +161,7 @@ QString CanvasSizeDialog::problem() const {
                                     core::available_memory_bytes());
         return {};
     } catch (const core::InputError& error) {
-        return QString::fromUtf8(error.what());
+        return appearance::shown_message(error.message());
     }
 }
 

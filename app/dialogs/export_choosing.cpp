@@ -1,5 +1,6 @@
 // What ExportDialog does when something is chosen in it.
 
+#include "appearance/shown_message.hpp"
 #include "core/fault.hpp"
 #include "dialogs/export_dialog.hpp"
 #include "document/canvas.hpp"
@@ -45,8 +46,8 @@ QString breakable(QString sentence) {
 }
 
 /// Without the folder, which stands above it.
-QString fault_words(const std::string& fault, const Path& path) {
-    QString sentence = QString::fromStdString(fault);
+QString fault_words(const core::Message& fault, const Path& path) {
+    QString sentence = appearance::shown_message(fault);
     const QString folder = QString::fromStdString(path.parent_path().string()) + QLatin1Char('/');
     if (sentence.startsWith(folder)) sentence.remove(0, folder.size());
     return breakable(sentence);
@@ -193,7 +194,7 @@ void ExportDialog::show_outcome() {
     const Path file = path();
     const bool replaces = !file.empty() && tools::is_taken(file, settings_.form);
     export_->setText(replaces && !is_folder(settings_.format()) ? tr("Replace") : tr("Export"));
-    const std::string fault =
+    const core::Message fault =
         core::fault_of([&] { outcome_->setText(export_summary(subject_, settings_, file)); });
     if (!fault.empty()) outcome_->setText(fault_words(fault, file));
     export_->setEnabled(fault.empty());

@@ -77,33 +77,29 @@ QString film_words(const grid::Shape& size, const ExportSubject& subject,
 
 /// Asked as io asks it of files.
 void check_folder(const Path& folder) {
-    const QString name = QString::fromStdString(folder.filename().string());
-    const auto refuse = [&](const QString& sentence) {
-        throw core::InputError(sentence.arg(name).toStdString());
-    };
+    const std::string name = folder.filename().string();
     if (!core::is_there(folder)) return files::check_writable(folder);
     if (!core::is_folder(folder))
-        refuse(tr("%1 is a file; numbered pictures go into a folder."));
+        throw core::InputError("%1 is a file; numbered pictures go into a folder.", name);
     if (core::is_there(folder / "frame-00001.png"))
-        refuse(tr("The folder %1 holds the frames of another time-lapse; name another one."));
+        throw core::InputError("The folder %1 holds the frames of another time-lapse; name another one.",
+                               name);
     files::check_writable(folder / "frame-00001.png");
 }
 
 void check_timelapse(const ExportSubject& subject, const ExportSettings& settings,
                      const recordings::TimelapseChoice& choice) {
     if (!subject.has_strokes)
-        throw core::InputError(tr("Nothing has been painted yet that a film could show.").toStdString());
+        throw core::InputError("Nothing has been painted yet that a film could show.");
     recordings::check_timelapse(choice);
     document::check_canvas_fits(film_canvas(subject, settings), core::available_memory_bytes());
     if (is_folder_format(settings)) check_folder(choice.path);
 }
 
 void check_path(const Path& path) {
-    if (path.empty()) throw core::InputError(tr("The file needs a name.").toStdString());
+    if (path.empty()) throw core::InputError("The file needs a name.");
     if (!core::is_folder(path.parent_path()))
-        throw core::InputError(tr("There is no folder %1.")
-                                   .arg(QString::fromStdString(path.parent_path().string()))
-                                   .toStdString());
+        throw core::InputError("There is no folder %1.", path.parent_path().string());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "dialogs/new_canvas_dialog.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/units.hpp"
@@ -141,7 +142,7 @@ void NewCanvasDialog::write_summary() {
         text += QLatin1Char('\n') + shown_words(wanted.px_per_mm) + QLatin1Char(' ') +
                 pace_words(wanted.px_per_mm);
     } catch (const core::InputError& error) {
-        text = QString::fromUtf8(error.what());
+        text = appearance::shown_message(error.message());
         possible = false;
     }
     summary_->setText(text);

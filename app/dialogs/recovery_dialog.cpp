@@ -1,5 +1,6 @@
 #include "dialogs/recovery_dialog.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "dialogs/unfinished_words.hpp"
 
 #include <utility>
@@ -76,9 +77,9 @@ void RecoveryDialog::show_picture(const journal::Unfinished& painting) {
 
 void RecoveryDialog::show_chosen() {
     if (list_->currentRow() < 0) return;
-    const std::string& fault = chosen().fault;
+    const core::Message& fault = chosen().fault;
     recover_->setEnabled(fault.empty());
-    fault_->setText(QString::fromStdString(fault));
+    fault_->setText(appearance::shown_message(fault));
     fault_->setVisible(!fault.empty());
 }
 

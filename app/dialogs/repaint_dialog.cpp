@@ -1,5 +1,6 @@
 #include "dialogs/repaint_dialog.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
@@ -21,14 +22,11 @@ QString gibibytes(std::size_t bytes) {
     return QString::number(static_cast<double>(bytes) / (1 << 30), 'f', 1);
 }
 
-/// What the engine says of it, which begins small.
-QString sentences(const std::vector<std::string>& notes) {
+/// What the engine says of it.
+QString sentences(const std::vector<core::Message>& notes) {
     QString lines;
-    for (const std::string& note : notes) {
-        QString line = QString::fromStdString(note);
-        line[0] = line[0].toUpper();
-        lines += QLatin1Char('\n') + line;
-    }
+    for (const core::Message& note : notes)
+        lines += QLatin1Char('\n') + appearance::shown_sentence(note);
     return lines;
 }
 
@@ -83,7 +81,7 @@ void RepaintDialog::show_outcome() {
                     .arg(gibibytes(terms.memory_bytes), gibibytes(free_bytes)) +
                 sentences(terms.notes));
     } catch (const core::InputError& error) {
-        show_possible(false, QString::fromUtf8(error.what()));
+        show_possible(false, appearance::shown_message(error.message()));
     }
 }
 

@@ -16,7 +16,7 @@ struct Unwanted {};
 UnfinishedPictures::UnfinishedPictures(QObject* parent)
     : QObject(parent),
       worker_([this](journal::Unfinished& painting) { paint(painting); },
-              [](journal::Unfinished&, const std::string&) {}, kNice) {}
+              [](journal::Unfinished&, const core::Message&) {}, kNice) {}
 
 void UnfinishedPictures::want(const journal::Unfinished& painting) {
     if (painting.thumbnail.empty() && painting.fault.empty()) worker_.add(painting);

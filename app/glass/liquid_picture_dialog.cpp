@@ -1,6 +1,7 @@
 #include "glass/liquid_picture_dialog.hpp"
 
 #include "appearance/screen_colours.hpp"
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "core/fault.hpp"
 #include "liquid_files/traced_picture.hpp"
@@ -155,7 +156,7 @@ void LiquidPictureDialog::show_progress() {
     if (work_ != nullptr) {
         const session::LiquidPicture::Progress progress = work_->progress();
         if (!progress.error.empty())
-            progress_->setText(QString::fromStdString(progress.error));
+            progress_->setText(appearance::shown_message(progress.error));
         else if (progress.finished)
             progress_->setText(
                 (progress.samples >= kSamplesWithoutNoise
@@ -203,9 +204,9 @@ void LiquidPictureDialog::ask_save() {
         this, tr("Save the picture"), words_.file,
         tr("Pictures (%1)").arg(QStringLiteral("*.png *.exr *.tif *.tiff *.jpg *.jpeg *.webp")));
     if (path.isEmpty()) return;
-    const std::string fault = core::fault_of([&] { save(path); });
+    const core::Message fault = core::fault_of([&] { save(path); });
     if (!fault.empty())
-        QMessageBox::warning(this, tr("Save the picture"), QString::fromStdString(fault));
+        QMessageBox::warning(this, tr("Save the picture"), appearance::shown_message(fault));
 }
 
 void LiquidPictureDialog::put_on_canvas() {

@@ -1,18 +1,16 @@
 #include "graphics/graphics_fault.hpp"
 
-#include <string>
-
 namespace pastoso::graphics {
 namespace {
 
-std::string name_of(GLenum error) {
+core::Message reason_of(GLenum error) {
     switch (error) {
         case GL_OUT_OF_MEMORY:
-            return "its memory does not suffice";
+            return core::message("its memory does not suffice");
         case GL_CONTEXT_LOST:
-            return "it was reset";
+            return core::message("it was reset");
         default:
-            return "OpenGL reports error " + std::to_string(error);
+            return core::message("OpenGL reports error %1", error);
     }
 }
 
@@ -25,7 +23,7 @@ std::unique_ptr<QOpenGLShaderProgram> shader_program(const QByteArray& vertex,
                         program->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) &&
                         program->link();
     if (!linked) {
-        throw GraphicsFault("The graphics driver refuses a program that pictures are drawn with: " +
+        throw GraphicsFault("The graphics driver refuses a program that pictures are drawn with: %1",
                             program->log().simplified().toStdString());
     }
     return program;
@@ -38,7 +36,7 @@ void expect_no_error(QOpenGLExtraFunctions& gl) {
     // The others are about the same; a lost context never ends reporting.
     for (int i = 0; i < kMostErrors && gl.glGetError() != GL_NO_ERROR; ++i) {
     }
-    throw GraphicsFault("The graphics card cannot draw the canvas: " + name_of(error) + ".");
+    throw GraphicsFault("The graphics card cannot draw the canvas: %1.", reason_of(error));
 }
 
 }  // namespace pastoso::graphics

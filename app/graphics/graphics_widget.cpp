@@ -1,5 +1,6 @@
 #include "graphics/graphics_widget.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "graphics/opengl_support.hpp"
 
@@ -23,7 +24,7 @@ void GraphicsWidget::initializeGL() {
         make_graphics();
         ready_ = true;
     } catch (const core::InputError& error) {
-        fail(QString::fromUtf8(error.what()));
+        fail(appearance::shown_message(error.message()));
     }
 }
 

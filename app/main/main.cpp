@@ -152,6 +152,6 @@ int start(int argc, char** argv) {
 int main(int argc, char** argv) {
     pastoso::core::keep_freed_memory();
     int exit_status = EXIT_FAILURE;
-    const std::string fault = pastoso::core::fault_of([&] { exit_status = start(argc, argv); });
-    return fault.empty() ? exit_status : fail(fault);
+    const auto fault = pastoso::core::fault_of([&] { exit_status = start(argc, argv); });
+    return fault.empty() ? exit_status : fail(fault.text());
 }

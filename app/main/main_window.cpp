@@ -1,5 +1,6 @@
 #include "main/main_window.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "main/window_parts.hpp"
 #include "panels/layers/tracing_panel.hpp"
 #include "panels/paint/medium_panel.hpp"
@@ -43,8 +44,8 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     studio_.easel().set_up();
     studio_.show_hand();
     studio_.show_published();
-    for (const std::string& fault : pigment::user_pigments().faults)
-        studio_.report(QString::fromStdString(fault));
+    for (const core::Message& fault : pigment::user_pigments().faults)
+        studio_.report(appearance::shown_message(fault));
 }
 
 MainWindow::~MainWindow() = default;

@@ -1,9 +1,9 @@
 #include "main/studio.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "graphics/opengl_support.hpp"
 #include "main/program/application.hpp"
 #include "main/queued_refresh.hpp"
-#include "main/sentence.hpp"
 
 #include <utility>
 
@@ -25,7 +25,7 @@ Studio::Studio(QMainWindow& window)
       on_canvas_(new interactions::OnCanvas(canvas_, *easel_, document::Surface::Canvas)),
       on_well_(new interactions::OnCanvas(well_, *easel_, document::Surface::Well)),
       ending_([](auto& session) { session.reset(); },
-              [tell = teller()](auto&, const std::string& fault) { tell(fault); }) {
+              [tell = teller()](auto&, const core::Message& fault) { tell(fault); }) {
     if (auto* application = qobject_cast<Application*>(QCoreApplication::instance()))
         connect(application, &Application::failed, this, &Studio::report_refusal, Qt::QueuedConnection);
     const std::string& problem = graphics::opengl_support().problem;
@@ -80,8 +80,8 @@ void Studio::show_published() {
     Q_EMIT published(snapshot, status);
     easel_->lend_brush(status.replaying);
     if (status.failed) commands_.action(commands::Command::Pause)->setChecked(true);
-    for (const std::string& error : session_->take_errors())
-        report_refusal(QString::fromStdString(error));
+    for (const core::Message& error : session_->take_errors())
+        report_refusal(appearance::shown_message(error));
 }
 
 void Studio::catch_up() {
@@ -105,17 +105,17 @@ void Studio::report(const QString& sentence) {
 }
 
 void Studio::report_refusal(const QString& sentence) {
-    report(sentence_of(sentence.toStdString()));
+    report(appearance::as_sentence(sentence));
 }
 
-void Studio::report_notes(const QString& file, const std::vector<std::string>& notes) {
+void Studio::report_notes(const QString& file, const std::vector<core::Message>& notes) {
     using panels::Matter;
     if (notes.size() == 1) {
-        messages_.raise({Matter::Notes, sentence_of(notes.front())});
+        messages_.raise({Matter::Notes, appearance::shown_sentence(notes.front())});
         return;
     }
-    for (const std::string& note : notes)
-        report(sentence_of(note));
+    for (const core::Message& note : notes)
+        report(appearance::shown_sentence(note));
     if (notes.empty()) return;
     QAction* show = commands_.action(commands::Command::MessagesPanel);
     messages_.raise({Matter::Notes,
@@ -126,23 +126,23 @@ void Studio::report_notes(const QString& file, const std::vector<std::string>& n
 }
 
 bool Studio::attempt(const Work& work) {
-    const std::string fault = core::fault_of(work);
-    if (!fault.empty()) report(sentence_of(fault));
+    const core::Message fault = core::fault_of(work);
+    if (!fault.empty()) report(appearance::shown_sentence(fault));
     return fault.empty();
 }
 
 bool Studio::attempt(const QString& title, const Work& work) {
-    const std::string fault = core::fault_of(work);
+    const core::Message fault = core::fault_of(work);
     if (fault.empty()) return true;
-    report(sentence_of(fault));
-    QMessageBox::warning(&window_, title, sentence_of(fault));
+    report(appearance::shown_sentence(fault));
+    QMessageBox::warning(&window_, title, appearance::shown_sentence(fault));
     return false;
 }
 
 core::Tell Studio::teller() {
-    return [this](const std::string& sentence) {
+    return [this](const core::Message& sentence) {
         QMetaObject::invokeMethod(
-            this, [this, told = QString::fromStdString(sentence)] { report_refusal(told); },
+            this, [this, told = appearance::shown_message(sentence)] { report_refusal(told); },
             Qt::QueuedConnection);
     };
 }

@@ -82,7 +82,7 @@ class Studio : public QObject {
 
     /// What of a file is not as it was in it: told one by one, and what is only one stands; of more,
     /// how many there are.
-    void report_notes(const QString& file, const std::vector<std::string>& notes);
+    void report_notes(const QString& file, const std::vector<core::Message>& notes);
 
     using Work = std::function<void()>;
     /// Whatever `work` throws is reported; returns whether it threw nothing.

@@ -18,10 +18,9 @@ bool is_row_by_row(const py::array& array) {
 void check(const py::array& array, const Sizes& shape, const std::string& name) {
     const bool fits = py::isinstance<py::array_t<float>>(array) && is_row_by_row(array);
     if (fits && shape_of(array) == shape) return;
-    throw core::InputError("the array \"" + name + "\" is " + std::string(py::str(array.dtype())) + " " +
-                           shape_text(shape_of(array)) +
-                           (is_row_by_row(array) ? "" : ", not row by row") + ", but must be float32 " +
-                           shape_text(shape) + ", row by row.");
+    throw core::InputError("the array \"%1\" is %2 %3%4, but must be float32 %5, row by row.", name,
+                           std::string(py::str(array.dtype())), shape_text(shape_of(array)),
+                           is_row_by_row(array) ? "" : ", not row by row", shape_text(shape));
 }
 
 }  // namespace

@@ -31,18 +31,29 @@ void raise(PyObject* type, const std::string& sentence) {
     PyErr_SetString(type, core::printable(sentence).c_str());
 }
 
+void raise_input_error(const core::InputError& error) {
+    py::list arguments;
+    for (const core::Message& argument : error.message().arguments())
+        arguments.append(argument.text());
+    const py::object made =
+        py::reinterpret_borrow<py::object>(input_error)(core::printable(error.what()));
+    made.attr("code") = error.message().words();
+    made.attr("arguments") = arguments;
+    PyErr_SetObject(input_error, made.ptr());
+}
+
 /// What is not the engine's is left to the next translator.
 void translate(std::exception_ptr thrown) {
     try {
         std::rethrow_exception(thrown);
     } catch (const core::InputError& error) {
-        raise(input_error, error.what());
+        raise_input_error(error);
     } catch (const core::BrokenInvariant& error) {
         raise(internal_error, error.what());
     } catch (const std::bad_alloc&) {
-        raise(PyExc_MemoryError, core::caught_fault());
+        raise(PyExc_MemoryError, core::caught_fault().text());
     } catch (const std::system_error&) {
-        raise(PyExc_OSError, core::caught_fault());
+        raise(PyExc_OSError, core::caught_fault().text());
     }
 }
 
@@ -52,7 +63,10 @@ void add_errors(py::module_& module) {
     input_error = add_error(
         module, "InputError", PyExc_ValueError,
         "Something that was given is wrong: one sentence names it, the place and the value.\n\n"
-        "What was asked for is not done, and everything is as it was before.");
+        "What was asked for is not done, and everything is as it was before. `code` is the sentence "
+        "with\n"
+        "places %1, %2, ... and the same whatever it speaks of; `arguments` are the texts at the "
+        "places.");
     internal_error = add_error(module, "InternalError", PyExc_RuntimeError,
                                "The engine has found itself at fault: the sentence says where.\n\n"
                                "The object that it happened to refuses all further work.");

@@ -70,8 +70,8 @@ const FilmField& find_field(const std::string& name) {
         if (name == field.name) return field;
         names.emplace_back(field.name);
     }
-    throw core::InputError("there is no field \"" + name + "\" of a film; the fields are " +
-                           core::listed(names) + ".");
+    throw core::InputError("there is no field \"%1\" of a film; the fields are %2.", name,
+                           core::listed(names));
 }
 
 void read_field(const FilmState& film, const FilmField& field, core::ThreadPool& pool, float* out) {

@@ -48,7 +48,7 @@ py::object front_of(FilmWork& work) {
 
 py::array_t<double> profile_of(FilmWork& work, const std::string& along, double at_mm) {
     if (along != "x" && along != "y")
-        throw core::InputError("a profile goes along \"x\" or \"y\", not along \"" + along + "\".");
+        throw core::InputError("a profile goes along \"x\" or \"y\", not along \"%1\".", along);
     const film::Axis axis = along == "x" ? film::Axis::X : film::Axis::Y;
     const film::Scene& scene = work.run.scene;
     document::check_between("place of the profile", "mm", at_mm, 0.0,

@@ -31,11 +31,12 @@ recordings::SceneRun find_run(const recordings::SceneFile& file, const std::stri
         names.push_back(known.name);
     }
     if (file.runs.size() == 1 && names.front().empty())
-        throw core::InputError(name + ": has a single run, which has no name.");
-    throw core::InputError(
-        name + ": " +
-        (run.empty() ? "one of its runs has to be chosen" : "there is no run \"" + run + "\"") +
-        "; the runs are " + core::listed(names) + ".");
+        throw core::InputError("%1: has a single run, which has no name.", name);
+    if (run.empty())
+        throw core::InputError("%1: one of its runs has to be chosen; the runs are %2.", name,
+                               core::listed(names));
+    throw core::InputError("%1: there is no run \"%2\"; the runs are %3.", name, run,
+                           core::listed(names));
 }
 
 void make_film(const std::string& name, const std::vector<SceneArray>& arrays, FilmWork& work) {

@@ -27,12 +27,12 @@ namespace py = pybind11;
 Stroke stroke_of(const py::array_t<double>& samples, const std::string& surface, bool flows) {
     if (samples.ndim() != 2 || samples.shape(1) < 4 || samples.shape(1) > 7)
         throw core::InputError(
-            "samples are an array (count, 4 to 7) of time, x, y, pressure, tilt_x, tilt_y and "
-            "rotation; here it is " +
-            shape_text({samples.shape(), samples.shape() + samples.ndim()}) + ".");
+            "samples are an array (count, 4 to 7) of time, x, y, pressure, tilt_x, tilt_y and rotation; "
+            "here it is %1.",
+            shape_text({samples.shape(), samples.shape() + samples.ndim()}));
     if (surface != "canvas" && surface != "well")
-        throw core::InputError("there is no surface \"" + surface +
-                               "\"; a stroke is on the \"canvas\" or the \"well\".");
+        throw core::InputError(
+            "there is no surface \"%1\"; a stroke is on the \"canvas\" or the \"well\".", surface);
     Stroke stroke;
     stroke.surface = surface == "well" ? document::Surface::Well : document::Surface::Canvas;
     stroke.flows = flows;

@@ -61,7 +61,8 @@ std::unique_ptr<PaintingWork> opened(const std::filesystem::path& path,
     auto work = std::make_unique<PaintingWork>(
         pool, std::make_unique<document::Painting>(project.painting, *pool),
         document::Recorder(project.strokes));
-    work->notes = project.notes;
+    for (const core::Message& note : project.notes)
+        work->notes.push_back(note.text());
     return work;
 }
 
@@ -77,12 +78,11 @@ void save(const std::filesystem::path& path, PaintingWork& work) {
 document::SharedPicture picture_of(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
     const bool fits = pixels.ndim() == 3 && (pixels.shape(2) == 3 || pixels.shape(2) == 4);
     if (!fits)
-        throw core::InputError("the pixels are " +
-                               shape_text({pixels.shape(), pixels.shape() + pixels.ndim()}) +
-                               ", but must be (height, width, 3) or (height, width, 4).");
+        throw core::InputError(
+            "the pixels are %1, but must be (height, width, 3) or (height, width, 4).",
+            shape_text({pixels.shape(), pixels.shape() + pixels.ndim()}));
     if (pixels.shape(0) > pigment::kMostPictureSide_px || pixels.shape(1) > pigment::kMostPictureSide_px)
-        throw core::InputError("a picture has at most " + std::to_string(pigment::kMostPictureSide_px) +
-                               " pixels a side.");
+        throw core::InputError("a picture has at most %1 pixels a side.", pigment::kMostPictureSide_px);
     auto picture = std::make_shared<pigment::Picture>();
     picture->height = static_cast<int>(pixels.shape(0));
     picture->width = static_cast<int>(pixels.shape(1));

@@ -19,8 +19,7 @@ namespace py = pybind11;
 struct LightingNumber {
     const char* key;
     double shade::Lighting::*value;
-    const char* name;
-    const char* unit;
+    core::Pattern<0> name, unit;
     double low, high;
 };
 
@@ -41,14 +40,13 @@ T value_of(const py::handle& value, const std::string& key, const char* kind) {
     try {
         return value.cast<T>();
     } catch (const py::cast_error&) {
-        throw core::InputError("\"" + key + "\" is " + std::string(py::repr(value)) + ", but must be " +
-                               kind + ".");
+        throw core::InputError("\"%1\" is %2, but must be %3.", key, std::string(py::repr(value)), kind);
     }
 }
 
 bool is_linear(const std::string& dtype) {
     if (dtype != "uint8" && dtype != "float32")
-        throw core::InputError("a picture is of uint8 or float32, not of \"" + dtype + "\".");
+        throw core::InputError("a picture is of uint8 or float32, not of \"%1\".", dtype);
     return dtype == "float32";
 }
 
@@ -69,7 +67,7 @@ void set(const std::string& key, const py::handle& value, PictureWish& wish) {
     else if (key == "specular")
         wish.lighting.specular = value_of<bool>(value, key, "True or False");
     else
-        throw core::InputError("a picture has no \"" + key + "\"; there are " + kPictureArguments + ".");
+        throw core::InputError("a picture has no \"%1\"; there are %2.", key, kPictureArguments);
 }
 
 bool set_lighting(const std::string& key, const py::handle& value, shade::Lighting& lighting) {

@@ -67,8 +67,8 @@ py::object read(TankWork& work, const std::string& name, int parts) {
         return arrays_of(std::move(velocity));
     }
     if (name != "level" && name != "milk")
-        throw core::InputError("there is no field \"" + name +
-                               "\" of a tank; the fields are level, milk and velocity.");
+        throw core::InputError(
+            "there is no field \"%1\" of a tank; the fields are level, milk and velocity.", name);
     document::check_between("number of parts", "", parts, 1, 4);
     tank::TankFrame frame;
     work.turn.take([&] { frame = work.tank.frame(parts, *work.pool); });

@@ -67,8 +67,8 @@ py::object read(TeaWork& work, const std::string& name) {
         return arrays_of(std::move(velocity));
     }
     if (name != "dissolved" && name != "coldness")
-        throw core::InputError("there is no field \"" + name +
-                               "\" of a tea; the fields are dissolved, coldness and velocity.");
+        throw core::InputError(
+            "there is no field \"%1\" of a tea; the fields are dissolved, coldness and velocity.", name);
     work.turn.take([&] { field = name == "dissolved" ? work.tea.dissolved() : work.tea.coldness(); });
     return array_of(std::move(field));
 }

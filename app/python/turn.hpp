@@ -52,7 +52,7 @@ class Turn {
             fault_ = error.what();
             throw;
         } catch (...) {
-            fault_ = core::caught_fault();
+            fault_ = core::caught_fault().text();
             throw;
         }
     }

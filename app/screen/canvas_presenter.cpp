@@ -11,7 +11,7 @@ namespace pastoso::screen {
 CanvasPresenter::CanvasPresenter(std::function<void()> ready)
     : ready_(std::move(ready)),
       worker_([this](Job& job) { present(job); },
-              [this](Job& job, const std::string& fault) {
+              [this](Job& job, const core::Message& fault) {
                   made_.reset();
                   Presentation failed;
                   failed.sight = job.sight;

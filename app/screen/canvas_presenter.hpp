@@ -42,7 +42,7 @@ struct Presentation {
     std::vector<LookPatch> look;
     std::vector<OutlinePatch> outlines;
     grid::Rect outlined;  ///< cells of which all outlines are there then
-    std::string fault;  ///< in one sentence, instead of all of it
+    core::Message fault;  ///< in one sentence, instead of all of it
 };
 
 /// All calls come from one thread, but for what it calls itself.

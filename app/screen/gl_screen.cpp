@@ -1,5 +1,6 @@
 #include "screen/gl_screen.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "graphics/graphics_fault.hpp"
 #include "screen/canvas_shader.hpp"
@@ -134,7 +135,7 @@ void GlScreen::paintGL() {
         draw_frame();
         graphics::expect_no_error(gl());
     } catch (const graphics::GraphicsFault& fault) {
-        fail(QString::fromUtf8(fault.what()));
+        fail(appearance::shown_message(fault.message()));
     }
 }
 

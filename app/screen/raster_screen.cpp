@@ -34,7 +34,7 @@ RasterScreen::RasterScreen(ScreenHost& host, QWidget& parent)
     : QWidget(&parent),
       host_(host),
       worker_([this](Frame& frame) { make(frame); },
-              [this](Frame& frame, const std::string& fault) {
+              [this](Frame& frame, const core::Message& fault) {
                   frame.fault = fault;
                   hand_over(std::move(frame));
               }) {

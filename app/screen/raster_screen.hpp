@@ -41,7 +41,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
         QImage image{};
         QRegion changed{};  ///< of the image since the frame before
         double scale_top_mm = 0.0;
-        std::string fault{};  ///< in one sentence, instead of the picture
+        core::Message fault{};  ///< in one sentence, instead of the picture
     };
 
     RasterScene wanted_scene() const;

@@ -61,7 +61,7 @@ LayerPainter::LayerPainter(int most_width, int most_height, Deliver deliver, cor
           [most_width, most_height, deliver = std::move(deliver)](Wanted& wanted) {
               deliver(wanted.layer, layer_picture(*wanted.film, wanted.ground, most_width, most_height));
           },
-          [tell = std::move(tell)](Wanted&, const std::string& fault) { tell(fault); }) {}
+          [tell = std::move(tell)](Wanted&, const core::Message& fault) { tell(fault); }) {}
 
 void LayerPainter::want(document::LayerId layer, std::shared_ptr<const film::FilmState> film,
                         const pigment::Bands& ground) {

@@ -13,7 +13,7 @@ LiquidPicture::LiquidPicture(LiquidPictureOrder order, std::function<void()> not
     : notify_(std::move(notify)),
       began_(std::chrono::steady_clock::now()),
       worker_([this](LiquidPictureOrder& what) { trace(what); },
-              [this](LiquidPictureOrder&, const std::string& fault) { fail(fault); }) {
+              [this](LiquidPictureOrder&, const core::Message& fault) { fail(fault); }) {
     worker_.add(std::move(order));
 }
 
@@ -32,7 +32,7 @@ std::shared_ptr<const pigment::Image8> LiquidPicture::shown() const {
     return shown_;
 }
 
-void LiquidPicture::fail(const std::string& sentence) {
+void LiquidPicture::fail(const core::Message& sentence) {
     {
         const std::lock_guard lock(mutex_);
         progress_.error = sentence;

@@ -31,7 +31,7 @@ class LiquidPicture {
         int samples = 0;
         bool finished = false;  ///< or stopped: nothing more comes, and the noise is taken out
         double seconds = 0.0;
-        std::string error{};  ///< why there is no picture; one sentence
+        core::Message error{};  ///< why there is no picture; one sentence
     };
 
     /// Begins at once. `notify` is called on the picture's thread; it must return at once.
@@ -51,7 +51,7 @@ class LiquidPicture {
   private:
     void trace(const LiquidPictureOrder& order);
     void publish(trace::Picture radiance, int samples, bool finished);
-    void fail(const std::string& sentence);
+    void fail(const core::Message& sentence);
 
     const std::function<void()> notify_;
     const std::chrono::steady_clock::time_point began_;

@@ -17,7 +17,7 @@ LiquidSession::~LiquidSession() {
 
 void LiquidSession::begin() {
     thread_ =
-        core::Thread([this] { run(); }, [this](const std::string& fault) { stop_at_fault(fault); });
+        core::Thread([this] { run(); }, [this](const core::Message& fault) { stop_at_fault(fault); });
 }
 
 void LiquidSession::end() {
@@ -39,7 +39,7 @@ void LiquidSession::post(Action action) {
     work_.notify_all();
 }
 
-std::vector<std::string> LiquidSession::take_errors() {
+std::vector<core::Message> LiquidSession::take_errors() {
     const std::lock_guard lock(mutex_);
     return std::exchange(errors_, {});
 }
@@ -99,7 +99,7 @@ void LiquidSession::glass_made() {
 
 void LiquidSession::run() {
     while (wait_for_work())
-        core::guarded([this] { work(); }, [this](const std::string& fault) { stop_at_fault(fault); });
+        core::guarded([this] { work(); }, [this](const core::Message& fault) { stop_at_fault(fault); });
 }
 
 void LiquidSession::work() {
@@ -109,13 +109,13 @@ void LiquidSession::work() {
     if (changed_ && !may_wait()) publish();
 }
 
-void LiquidSession::refuse(const std::string& sentence) {
+void LiquidSession::refuse(const core::Message& sentence) {
     const std::lock_guard lock(mutex_);
     errors_.push_back(sentence);
 }
 
 /// What fails once would fail again with every step. Whoever waits has waited long enough.
-void LiquidSession::stop_at_fault(const std::string& sentence) {
+void LiquidSession::stop_at_fault(const core::Message& sentence) {
     refuse(sentence);
     paused_ = true;
     {
@@ -150,7 +150,7 @@ bool LiquidSession::apply_next() {
         ++applied_count_;
     }
     changed_ = true;
-    core::guarded(action.apply, [this](const std::string& fault) { refuse(fault); });
+    core::guarded(action.apply, [this](const core::Message& fault) { refuse(fault); });
     return true;
 }
 

@@ -56,7 +56,7 @@ class LiquidSession {
 
     /// What was refused or failed since the last call, a sentence each. Where a step or its picture
     /// failed, time has stopped.
-    std::vector<std::string> take_errors();
+    std::vector<core::Message> take_errors();
 
     /// Waits until what was said before is applied and published.
     void wait_until_applied();
@@ -105,8 +105,8 @@ class LiquidSession {
 
     void run();
     void work();
-    void refuse(const std::string& sentence);
-    void stop_at_fault(const std::string& sentence);
+    void refuse(const core::Message& sentence);
+    void stop_at_fault(const core::Message& sentence);
     bool wait_for_work();
     bool apply_next();
     void step();
@@ -129,7 +129,7 @@ class LiquidSession {
     mutable std::mutex mutex_;
     std::condition_variable work_, published_;
     std::deque<Action> posted_;
-    std::vector<std::string> errors_;
+    std::vector<core::Message> errors_;
     LiquidStatus status_;
     std::uint64_t posted_count_ = 0, applied_count_ = 0, published_count_ = 0;
     bool stopping_ = false;

@@ -73,7 +73,7 @@ OverviewPainter::OverviewPainter(int most_width, int most_height, Deliver delive
     : overview_(most_width, most_height),
       worker_([this, deliver = std::move(deliver)](
                   OverviewSubject& subject) { deliver(overview_.update(subject)); },
-              [tell = std::move(tell)](OverviewSubject&, const std::string& fault) { tell(fault); }) {}
+              [tell = std::move(tell)](OverviewSubject&, const core::Message& fault) { tell(fault); }) {}
 
 void OverviewPainter::want(OverviewSubject subject) {
     worker_.change([&](std::deque<OverviewSubject>& waiting) {

@@ -70,7 +70,7 @@ PaintSession::PaintSession(std::unique_ptr<core::ThreadPool> pool,
     status_.tick = painting_->tick();
     snapshot_ = std::make_shared<const document::Snapshot>(painting_->snapshot());
     thread_ =
-        core::Thread([this] { run(); }, [this](const std::string& fault) { stop_at_fault(fault); });
+        core::Thread([this] { run(); }, [this](const core::Message& fault) { stop_at_fault(fault); });
 }
 
 PaintSession::~PaintSession() {
@@ -191,7 +191,7 @@ Status PaintSession::status() const {
     return status_;
 }
 
-std::vector<std::string> PaintSession::take_errors() {
+std::vector<core::Message> PaintSession::take_errors() {
     const std::lock_guard lock(mutex_);
     return std::exchange(errors_, {});
 }
@@ -264,7 +264,7 @@ void PaintSession::run() {
     core::lower_priority(kNice);
     pool_->lower_priority(kNice);
     while (wait_for_work())
-        core::guarded([this] { work(); }, [this](const std::string& fault) { stop_at_fault(fault); });
+        core::guarded([this] { work(); }, [this](const core::Message& fault) { stop_at_fault(fault); });
 }
 
 void PaintSession::work() {
@@ -301,7 +301,7 @@ void PaintSession::note_rest() {
 }
 
 /// What fails once would fail again with every tick. Whoever waits has waited long enough.
-void PaintSession::stop_at_fault(const std::string& sentence) {
+void PaintSession::stop_at_fault(const core::Message& sentence) {
     {
         const std::lock_guard lock(mutex_);
         errors_.push_back(sentence);
@@ -415,7 +415,7 @@ void PaintSession::apply(const document::Action& action) {
         return;
     }
     core::guarded([&] { do_action(action); },
-                  [this](const std::string& fault) {
+                  [this](const core::Message& fault) {
                       const std::lock_guard lock(mutex_);
                       errors_.push_back(fault);
                   });

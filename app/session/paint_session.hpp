@@ -123,7 +123,7 @@ class PaintSession {
 
     /// The sentences of actions that were refused since the last call, and of what failed. Where a tick
     /// or its picture failed, paint time has stopped.
-    std::vector<std::string> take_errors();
+    std::vector<core::Message> take_errors();
 
     /// Everything that was done so far.
     document::Recording recording() const { return record().recording(); }
@@ -156,7 +156,7 @@ class PaintSession {
     void run();
     void work();
     void do_action(const document::Action& action);
-    void stop_at_fault(const std::string& sentence);
+    void stop_at_fault(const core::Message& sentence);
     bool wait_for_work();
     void apply_posted();
     bool replay_waits() const;
@@ -208,7 +208,7 @@ class PaintSession {
     std::shared_ptr<FrameTimes> times_;
     bool replay_is_hurried_ = false;
     bool replay_undoes_ = false;
-    std::vector<std::string> errors_;
+    std::vector<core::Message> errors_;
     std::vector<std::string> paints_used_;
     document::Recorder recorder_;
     std::shared_ptr<const document::Snapshot> snapshot_;

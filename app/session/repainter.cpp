@@ -16,7 +16,7 @@ constexpr auto kBetweenPictures = std::chrono::milliseconds(500);
 
 Repainter::Repainter(document::Recording strokes, std::string name, Notify notify)
     : strokes_(std::move(strokes)), name_(std::move(name)), notify_(std::move(notify)) {
-    thread_ = core::Thread([this] { run(); }, [this](const std::string& fault) { fail(fault); });
+    thread_ = core::Thread([this] { run(); }, [this](const core::Message& fault) { fail(fault); });
 }
 
 Repainter::~Repainter() {
@@ -74,7 +74,7 @@ void Repainter::run() {
     tell();
 }
 
-void Repainter::fail(const std::string& sentence) {
+void Repainter::fail(const core::Message& sentence) {
     {
         const std::lock_guard lock(mutex_);
         status_.error = sentence;

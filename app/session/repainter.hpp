@@ -22,7 +22,7 @@ class Repainter {
         double done = 0.0;   ///< 0 to 1, of the painting's ticks
         double spent_s = 0;  ///< without pauses
         bool paused = false;
-        std::string error{};  ///< why it cannot go on; one sentence
+        core::Message error{};  ///< why it cannot go on; one sentence
     };
 
     /// Begins at once, on the canvas of the strokes, with what processor time the painting on the easel
@@ -47,7 +47,7 @@ class Repainter {
     using Clock = std::chrono::steady_clock;
 
     void run();
-    void fail(const std::string& sentence);
+    void fail(const core::Message& sentence);
     void tell();
     bool goes_on(double done);
     void publish(const document::Painting& painting);

@@ -28,7 +28,7 @@ Replayer::Replayer(document::Recording recording, Notify notify)
     : recording_(std::move(recording)), notify_(std::move(notify)) {
     status_.end_tick = recording_.end_tick;
     status_.playing = true;
-    thread_ = core::Thread([this] { run(); }, [this](const std::string& fault) { fail(fault); });
+    thread_ = core::Thread([this] { run(); }, [this](const core::Message& fault) { fail(fault); });
 }
 
 Replayer::~Replayer() {
@@ -86,7 +86,7 @@ void Replayer::run() {
 }
 
 /// It cannot go on.
-void Replayer::fail(const std::string& sentence) {
+void Replayer::fail(const core::Message& sentence) {
     {
         const std::lock_guard lock(mutex_);
         status_.error = sentence;

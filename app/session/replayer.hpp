@@ -31,7 +31,7 @@ class Replayer {
         std::int64_t tick = 0, end_tick = 0;
         bool playing = false;  ///< goes on by itself
         bool seeking = false;  ///< is on its way to where it was sent
-        std::string error{};   ///< why it cannot go on; one sentence
+        core::Message error{};  ///< why it cannot go on; one sentence
         friend bool operator==(const Status&, const Status&) = default;
     };
 
@@ -63,7 +63,7 @@ class Replayer {
     };
 
     void run();
-    void fail(const std::string& sentence);
+    void fail(const core::Message& sentence);
     bool wait_for_work();
     void step();
     void begin(std::int64_t tick);

@@ -15,7 +15,7 @@ ThumbnailPainter::ThumbnailPainter(int width_px, int height_px, Deliver deliver,
                   },
                   subject);
           },
-          [tell = std::move(tell)](Subject&, const std::string& fault) { tell(fault); }) {}
+          [tell = std::move(tell)](Subject&, const core::Message& fault) { tell(fault); }) {}
 
 void ThumbnailPainter::want(const Subject& subject) {
     worker_.change([&](std::deque<Subject>& waiting) { waiting.push_front(subject); });

@@ -1,6 +1,7 @@
 #include "start/new_canvas_section.hpp"
 
 #include "appearance/screen_colours.hpp"
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
@@ -26,7 +27,7 @@ QString objection(const document::CanvasSettings& canvas) {
         document::check_canvas_fits(canvas, core::available_memory_bytes());
         return {};
     } catch (const core::InputError& error) {
-        return QString::fromUtf8(error.what());
+        return appearance::shown_message(error.message());
     }
 }
 

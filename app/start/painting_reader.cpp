@@ -1,5 +1,6 @@
 #include "start/painting_reader.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "project/project.hpp"
 
 #include <QCoreApplication>
@@ -11,9 +12,9 @@ namespace {
 /// The window comes first.
 constexpr int kNice = 6;
 
-PaintingFile unreadable(PaintingFile file, const std::string& fault) {
+PaintingFile unreadable(PaintingFile file, const core::Message& fault) {
     file.fault = PaintingReader::tr("This file cannot be read.");
-    file.reason = QString::fromStdString(fault);
+    file.reason = appearance::shown_message(fault);
     return file;
 }
 
@@ -27,7 +28,7 @@ PaintingFile read_painting_file(const std::filesystem::path& path) {
         return file;
     }
     file.saved = info.lastModified();
-    const std::string fault = core::fault_of([&] {
+    const core::Message fault = core::fault_of([&] {
         file.picture = QImage::fromData(QByteArray::fromStdString(project::load_thumbnail(path)));
     });
     return fault.empty() ? file : unreadable(file, fault);
@@ -36,7 +37,7 @@ PaintingFile read_painting_file(const std::filesystem::path& path) {
 PaintingReader::PaintingReader(QObject* parent)
     : QObject(parent),
       worker_([this](std::filesystem::path& path) { tell(read_painting_file(path)); },
-              [this](std::filesystem::path& path, const std::string& fault) {
+              [this](std::filesystem::path& path, const core::Message& fault) {
                   tell(unreadable({path}, fault));
               },
               kNice) {}

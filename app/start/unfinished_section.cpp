@@ -1,5 +1,6 @@
 #include "start/unfinished_section.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "dialogs/unfinished_words.hpp"
 #include "start/section.hpp"
 
@@ -59,7 +60,7 @@ QWidget* UnfinishedSection::row(const journal::Unfinished& painting) {
     pictures_.want(painting);
     layout->addWidget(picture);
     auto* words = new QLabel(dialogs::unfinished_words(painting));
-    words->setToolTip(QString::fromStdString(painting.fault));
+    words->setToolTip(appearance::shown_message(painting.fault));
     layout->addWidget(words, 1);
     auto* recover = new QPushButton(tr("Recover"));
     recover->setObjectName(QStringLiteral("recover"));

@@ -58,14 +58,13 @@ std::size_t place_of(const Table& table, const JsonPlace& place) {
         if (text == table[i].name) return i;
         names += (i == 0 ? "" : ", ") + std::string(table[i].name);
     }
-    place.fail("\"" + text + "\" is not one of " + names + ".");
+    place.fail("\"%1\" is not one of %2.", text, names);
 }
 
 double read_number(const JsonPlace& place, double least, double most) {
     const double number = place.number();
     if (!(number >= least && number <= most))
-        place.fail(place.value().dump() + " is not from " + Json(least).dump() + " to " +
-                   Json(most).dump() + ".");
+        place.fail("%1 is not from %2 to %3.", place.value().dump(), Json(least).dump(), Json(most).dump());
     return number;
 }
 

@@ -19,13 +19,13 @@ void read_own(const JsonPlace& place, const KeyChecks& checks, KeySettings& sett
         entry.allow_only({"command", "keys"});
         const std::string command = entry.entry("command").text();
         const auto [own, is_new] = settings.own.try_emplace(command);
-        if (!is_new) entry.fail("\"" + command + "\" stands here twice.");
+        if (!is_new) entry.fail("\"%1\" stands here twice.", command);
         for (std::size_t k = 0; k < keys.size(); ++k) {
             const JsonPlace key = keys.element(k);
             const std::string text = key.text();
             key.guard([&] { checks.key(text); });
             const auto [holder, is_free] = holders.try_emplace(text, command);
-            if (!is_free) key.fail("\"" + text + "\" is the key of " + holder->second + " already.");
+            if (!is_free) key.fail("\"%1\" is the key of %2 already.", text, holder->second);
             own->second.push_back(text);
         }
     }

@@ -24,8 +24,8 @@ void write_memory(const files::Json& root, const std::filesystem::path& file) {
     std::error_code failure;
     std::filesystem::create_directories(file.parent_path(), failure);
     if (failure)
-        throw core::InputError("Cannot make the folder " + file.parent_path().string() + ": " +
-                               failure.message() + ".");
+        throw core::InputError("Cannot make the folder %1: %2.", file.parent_path().string(),
+                               failure.message());
     core::write_text_file(file, root.dump(1, '\t', false, files::Json::error_handler_t::replace) + "\n");
 }
 

@@ -26,8 +26,7 @@ Json paints_json(const Paints& paints) {
 
 Paints read_paints(const JsonPlace& place, std::size_t most) {
     if (place.size() > most)
-        place.fail("there are " + std::to_string(place.size()) + " paints, but only " +
-                   std::to_string(most) + " have room.");
+        place.fail("there are %1 paints, but only %2 have room.", place.size(), most);
     Paints paints;
     for (std::size_t i = 0; i < place.size(); ++i) {
         const JsonPlace element = place.element(i);
@@ -49,7 +48,7 @@ pigment::NamedColour read_colour(const JsonPlace& place) {
         place.fail("expected a colour and its name, for example [\"#783c14\", \"Umber\"].");
     const std::string text = place.element(0).text();
     const auto colour = pigment::parse_hex_colour(text);
-    if (!colour) place.element(0).fail("\"" + text + "\" is not a colour such as #783c14.");
+    if (!colour) place.element(0).fail("\"%1\" is not a colour such as #783c14.", text);
     return {place.element(1).text(), *colour};
 }
 

@@ -34,7 +34,7 @@ T read_word(const JsonPlace& place, const Named<T> (&names)[N]) {
         if (text == named.name) return named.value;
         known += (known.empty() ? "" : ", ") + std::string(named.name);
     }
-    place.fail("\"" + text + "\" is not one of " + known + ".");
+    place.fail("\"%1\" is not one of %2.", text, known);
 }
 
 Json curve_json(const brush::DynamicsCurve& curve) {
@@ -62,7 +62,7 @@ void read_devices(const JsonPlace& place, PenSettings& settings) {
         entry.allow_only({"name", "end", "curve"});
         const PenDevice device{entry.entry("name").text(), read_word(entry.entry("end"), kEnds)};
         if (!settings.curves.try_emplace(device, read_curve(entry.entry("curve"))).second)
-            entry.fail("\"" + device.name + "\" stands here twice.");
+            entry.fail("\"%1\" stands here twice.", device.name);
     }
 }
 
@@ -70,8 +70,7 @@ MouseSettings read_mouse(const JsonPlace& place) {
     place.allow_only({"pressure", "by_speed"});
     const JsonPlace pressure = place.entry("pressure");
     if (!(pressure.number() >= kLeastMousePressure && pressure.number() <= 1.0))
-        pressure.fail(pressure.value().dump() + " is not between " + Json(kLeastMousePressure).dump() +
-                      " and 1.");
+        pressure.fail("%1 is not between %2 and %3.", pressure.value().dump(), Json(kLeastMousePressure).dump(), 1);
     return {pressure.number(), place.entry("by_speed").boolean()};
 }
 
@@ -79,7 +78,7 @@ std::string read_eraser(const JsonPlace& place) {
     const std::string name = place.text();
     const std::vector<std::string> tools = eraser_tools();
     if (!name.empty() && std::find(tools.begin(), tools.end(), name) == tools.end())
-        place.fail("\"" + name + "\" is no tool that an eraser end can take.");
+        place.fail("\"%1\" is no tool that an eraser end can take.", name);
     return name;
 }
 
@@ -89,7 +88,7 @@ PenAction read_action(const JsonPlace& place,
     if (!place.value().is_object()) return {read_word(place, kButtons)};
     place.allow_only({"command"});
     const std::string name = place.entry("command").text();
-    if (!is_command(name)) place.entry("command").fail("\"" + name + "\" is the name of no command.");
+    if (!is_command(name)) place.entry("command").fail("\"%1\" is the name of no command.", name);
     return {PenButtonDoes::Command, name};
 }
 

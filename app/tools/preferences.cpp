@@ -19,7 +19,7 @@ std::string read_one_of(const JsonPlace& place, std::initializer_list<const char
     std::string all;
     for (const char* name : known)
         all += std::string(all.empty() ? "\"" : ", \"") + name + "\"";
-    place.fail("\"" + text + "\" is not one of " + all + ".");
+    place.fail("\"%1\" is not one of %2.", text, all);
 }
 
 }  // namespace

@@ -29,21 +29,20 @@ SteadyMode read_mode(const JsonPlace& place) {
     const std::string text = place.text();
     for (const NamedMode& named : kModes)
         if (text == named.name) return named.mode;
-    place.fail("\"" + text + "\" is not one of off, time and string.");
+    place.fail("\"%1\" is not one of %2.", text, "off, time, string");
 }
 
 double read_strength(const JsonPlace& place, double most) {
     const double strength = place.number();
     if (!(strength > 0.0 && strength <= most))
-        place.fail(place.value().dump() + " is not above 0 and at most " + Json(most).dump() + ".");
+        place.fail("%1 is not above 0 and at most %2.", place.value().dump(), Json(most).dump());
     return strength;
 }
 
 double read_number(const JsonPlace& place, double least, double most) {
     const double number = place.number();
     if (!(number >= least && number <= most))
-        place.fail(place.value().dump() + " is not between " + Json(least).dump() + " and " +
-                   Json(most).dump() + ".");
+        place.fail("%1 is not between %2 and %3.", place.value().dump(), Json(least).dump(), Json(most).dump());
     return number;
 }
 
@@ -86,7 +85,7 @@ shade::Finish read_finish(const JsonPlace& place) {
     const std::string text = place.text();
     for (const NamedFinish& named : kFinishes)
         if (text == named.name) return named.finish;
-    place.fail("\"" + text + "\" is not one of none, matte, satin and gloss.");
+    place.fail("\"%1\" is not one of %2.", text, "none, matte, satin, gloss");
 }
 
 Json varnish_json(const shade::Varnish& varnish) {

@@ -45,8 +45,7 @@ ToolSlots read_tool_slots(const std::filesystem::path& file) {
         root.allow_only({"version", "tools"});
         const JsonPlace tools = root.entry("tools");
         if (tools.size() != kToolSlots)
-            tools.fail("there are " + std::to_string(tools.size()) + " tools instead of " +
-                       std::to_string(kToolSlots) + ".");
+            tools.fail("there are %1 tools instead of %2.", tools.size(), kToolSlots);
         for (std::size_t i = 0; i < kToolSlots; ++i) {
             const JsonPlace slot = tools.element(i);
             slot.allow_only({"tool", "used"});

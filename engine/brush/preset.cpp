@@ -73,8 +73,7 @@ const Preset& find_preset(std::string_view name) {
     for (const auto& [word, preset_name] : kShortNames) {
         if (word == lower) return find_preset(preset_name);
     }
-    throw core::InputError("There is no brush \"" + std::string(name) + "\"; the brushes are " +
-                           list_of_names() + ".");
+    throw core::InputError("There is no brush \"%1\"; the brushes are %2.", name, list_of_names());
 }
 
 Preset resized(const Preset& preset, double width_mm) {

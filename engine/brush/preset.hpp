@@ -1,6 +1,8 @@
 // What kind of tool it is: the numbers of a preset file, in its own terms and units.
 #pragma once
 
+#include "core/message.hpp"
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -160,9 +162,13 @@ struct Preset {
 };
 
 /// Reads one preset (resources/brushes/*.json show the form, version 2; docs/brush-format.md).
-/// `file_name` is for errors only. Throws InputError that names the file, the field (as in "paint.film")
-/// and its value: a field that is missing, unknown, of the wrong type or out of the range above.
-Preset parse_preset(std::string_view json_text, const std::string& file_name);
+/// `place`, as the file's name, is for errors only. Throws InputError that names it, the field (as in
+/// "paint.film") and its value: a field that is missing, unknown, of the wrong type or out of the range
+/// above.
+Preset parse_preset(std::string_view json_text, const core::Message& place);
+inline Preset parse_preset(std::string_view json_text, const std::string& file_name) {
+    return parse_preset(json_text, core::Message::verbatim(file_name));
+}
 
 /// The preset as a file, as parse_preset() reads it back.
 std::string preset_to_json(const Preset& preset);

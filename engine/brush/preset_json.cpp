@@ -25,20 +25,20 @@ std::string text_of(double number) {
 /// One object of the file, with its path for messages.
 class Section {
   public:
-    Section(const Json& json, std::string file, std::string path)
+    Section(const Json& json, core::Message file, std::string path)
         : json_(json), file_(std::move(file)), path_(std::move(path)) {
-        if (!json_.is_object()) fail(path_, "must be an object, not " + json_.dump());
+        if (!json_.is_object()) fail(path_, "%1 must be an object, not %2.", json_.dump());
     }
 
     Section section(std::string_view key) const { return {field(key), file_, path_of(key)}; }
 
     double number(std::string_view key, Range range) const {
         const Json& value = field(key);
-        if (!value.is_number()) fail(path_of(key), "must be a number, not " + value.dump());
+        if (!value.is_number()) fail(path_of(key), "%1 must be a number, not %2.", value.dump());
         const auto number = value.get<double>();
         if (!(number >= range.low && number <= range.high)) {
-            fail(path_of(key), "is " + value.dump() + ", outside " + text_of(range.low) + " to " +
-                                   text_of(range.high));
+            fail(path_of(key), "%1 is %2, outside %3 to %4.", value.dump(), text_of(range.low),
+                 text_of(range.high));
         }
         return number;
     }
@@ -46,13 +46,13 @@ class Section {
     int whole_number(std::string_view key, Range range) const {
         const double value = number(key, range);
         if (value != std::floor(value))
-            fail(path_of(key), "must be a whole number, not " + text_of(value));
+            fail(path_of(key), "%1 must be a whole number, not %2.", text_of(value));
         return static_cast<int>(value);
     }
 
     std::string text(std::string_view key) const {
         const Json& value = field(key);
-        if (!value.is_string()) fail(path_of(key), "must be a text, not " + value.dump());
+        if (!value.is_string()) fail(path_of(key), "%1 must be a text, not %2.", value.dump());
         return value.get<std::string>();
     }
 
@@ -64,18 +64,18 @@ class Section {
             if (value == candidate.name) return candidate.value;
             names += (names.empty() ? "" : ", ") + std::string(candidate.name);
         }
-        fail(path_of(key), "is \"" + value + "\", which is none of: " + names);
+        fail(path_of(key), "%1 is \"%2\", which is none of: %3.", value, names);
     }
 
     const Json& list(std::string_view key) const {
         const Json& value = field(key);
-        if (!value.is_array()) fail(path_of(key), "must be a list, not " + value.dump());
+        if (!value.is_array()) fail(path_of(key), "%1 must be a list, not %2.", value.dump());
         return value;
     }
 
     bool truth(std::string_view key) const {
         const Json& value = field(key);
-        if (!value.is_boolean()) fail(path_of(key), "must be true or false, not " + value.dump());
+        if (!value.is_boolean()) fail(path_of(key), "%1 must be true or false, not %2.", value.dump());
         return value.get<bool>();
     }
 
@@ -83,15 +83,18 @@ class Section {
     void check_fields(const std::vector<std::string_view>& known) const {
         for (const auto& item : json_.items()) {
             if (std::find(known.begin(), known.end(), item.key()) == known.end()) {
-                fail(path_of(item.key()),
-                     "is not a field of a brush preset (value " + item.value().dump() + ")");
+                fail(path_of(item.key()), "%1 is not a field of a brush preset (value %2).",
+                     item.value().dump());
             }
         }
     }
 
-    [[noreturn]] void fail(const std::string& path, const std::string& problem) const {
-        throw core::InputError(file_ + ": " + (path.empty() ? "the preset" : path) + " " + problem +
-                               ".");
+    /// The pattern's first place is that of the path.
+    template <class... Arguments>
+    [[noreturn]] void fail(const std::string& path, core::Pattern<sizeof...(Arguments) + 1> pattern,
+                           const Arguments&... arguments) const {
+        const auto place = path.empty() ? core::message("the preset") : core::Message::verbatim(path);
+        throw core::InputError("%1: %2", file_, core::message(pattern, place, arguments...));
     }
 
     std::string path_of(std::string_view key) const {
@@ -101,12 +104,12 @@ class Section {
   private:
     const Json& field(std::string_view key) const {
         const auto found = json_.find(key);
-        if (found == json_.end()) fail(path_of(key), "is missing");
+        if (found == json_.end()) fail(path_of(key), "%1 is missing.");
         return *found;
     }
 
     const Json& json_;
-    std::string file_;
+    core::Message file_;
     std::string path_;
 };
 
@@ -162,16 +165,17 @@ void check_drop_count(const Section& root, const DropletPreset& droplets) {
     constexpr double kMostDrops_per_s = 1e5;
     if (droplets.rate_mm3_s <= kMostDrops_per_s * droplets.drop_mm3) return;
     const Section section = root.section("droplets");
-    section.fail(section.path_of("drop"), "is " + text_of(droplets.drop_mm3) +
-                                              ", so that more than 100000 drops a second would fall");
+    section.fail(section.path_of("drop"),
+                 "%1 is %2, so that more than 100000 drops a second would fall.",
+                 text_of(droplets.drop_mm3));
 }
 
 void read_tip_shape(const Section& root, Preset& preset) {
     const Section tip = root.section("tip");
     preset.tip.shape = tip.choice("shape", kShapeNames);
     if (preset.tip.point_mm > preset.tip.length_mm) {
-        tip.fail(tip.path_of("point"), "is " + text_of(preset.tip.point_mm) +
-                                           ", more than the length, " + text_of(preset.tip.length_mm));
+        tip.fail(tip.path_of("point"), "%1 is %2, more than the length, %3.",
+                 text_of(preset.tip.point_mm), text_of(preset.tip.length_mm));
     }
 }
 
@@ -179,19 +183,18 @@ std::vector<CurvePoint> read_points(const Section& curve) {
     const Json& list = curve.list("curve");
     const std::string path = curve.path_of("curve");
     if (list.empty() || list.size() > kMostCurvePoints) {
-        curve.fail(path, "must have 1 to " + std::to_string(kMostCurvePoints) + " points, not " +
-                             std::to_string(list.size()));
+        curve.fail(path, "%1 must have 1 to %2 points, not %3.", kMostCurvePoints, list.size());
     }
     std::vector<CurvePoint> points;
     for (const Json& point : list) {
         const std::string where = path + "[" + std::to_string(points.size()) + "]";
         if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number()) {
-            curve.fail(where, "must be two numbers, not " + point.dump());
+            curve.fail(where, "%1 must be two numbers, not %2.", point.dump());
         }
         points.push_back({point[0].get<double>(), point[1].get<double>()});
         if (points.size() > 1 && points.back().input <= points[points.size() - 2].input) {
-            curve.fail(where,
-                       "is " + point.dump() + ", whose input is not above that of the point before it");
+            curve.fail(where, "%1 is %2, whose input is not above that of the point before it.",
+                       point.dump());
         }
     }
     return points;
@@ -199,14 +202,14 @@ std::vector<CurvePoint> read_points(const Section& curve) {
 
 void check_pair(const Section& section, const DynamicsCurve& curve) {
     if (can_set(curve.input, curve.target)) return;
-    section.fail(section.path_of("input"), "is \"" + section.text("input") + "\", which cannot set \"" +
-                                               section.text("target") + "\"");
+    section.fail(section.path_of("input"), "%1 is \"%2\", which cannot set \"%3\".",
+                 section.text("input"), section.text("target"));
 }
 
-std::vector<DynamicsCurve> read_dynamics(const Json& list, const std::string& file_name) {
+std::vector<DynamicsCurve> read_dynamics(const Json& list, const core::Message& file) {
     std::vector<DynamicsCurve> curves;
     for (const Json& entry : list) {
-        const Section section(entry, file_name, "dynamics[" + std::to_string(curves.size()) + "]");
+        const Section section(entry, file, "dynamics[" + std::to_string(curves.size()) + "]");
         section.check_fields({"input", "target", "curve"});
         curves.push_back({section.choice("input", kInputNames), section.choice("target", kTargetNames),
                           read_points(section)});
@@ -215,24 +218,24 @@ std::vector<DynamicsCurve> read_dynamics(const Json& list, const std::string& fi
     return curves;
 }
 
-Json parse_json(std::string_view text, const std::string& file_name) {
-    core::check_json_depth(text, file_name);
+Json parse_json(std::string_view text, const core::Message& file) {
+    core::check_json_depth(text, file.text());
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        throw core::located_error(file_name, 1 + std::count(text.begin(), end, '\n'),
-                                  "this is not valid JSON.");
+        throw core::InputError("%1, line %2: this is not valid JSON.", file,
+                               1 + std::count(text.begin(), end, '\n'));
     } catch (const Json::exception& error) {
-        throw core::InputError(file_name + ": holds a number that is too large (" + error.what() + ").");
+        throw core::InputError("%1: holds a number that is too large (%2).", file, error.what());
     }
 }
 
 }  // namespace
 
-Preset parse_preset(std::string_view json_text, const std::string& file_name) {
-    const Json json = parse_json(json_text, file_name);
-    const Section root(json, file_name, "");
+Preset parse_preset(std::string_view json_text, const core::Message& place) {
+    const Json json = parse_json(json_text, place);
+    const Section root(json, place, "");
     constexpr int kOldestRead = 2;
     const auto version = static_cast<int>(root.whole_number("version", {kOldestRead, kPresetVersion}));
     Preset preset;
@@ -240,7 +243,7 @@ Preset parse_preset(std::string_view json_text, const std::string& file_name) {
     root.check_fields(known_sections(preset.kind));
     check_units(root.section("units"));
     preset.name = root.text("name");
-    if (preset.name.empty()) root.fail("name", "is empty");
+    if (preset.name.empty()) root.fail(root.path_of("name"), "%1 is empty.");
     preset.dips = root.truth("dips");
     for (const std::string_view section : kPresetSections)
         read_numbers(root, section, version, preset);
@@ -250,7 +253,7 @@ Preset parse_preset(std::string_view json_text, const std::string& file_name) {
     }
     if (preset.kind == ToolKind::Droplets) check_drop_count(root, preset.droplets);
     preset.stroke.jitter_seed = root.section("stroke").choice("jitter_seed", kJitterSeedNames);
-    preset.dynamics = read_dynamics(root.list("dynamics"), file_name);
+    preset.dynamics = read_dynamics(root.list("dynamics"), place);
     return preset;
 }
 

@@ -28,8 +28,8 @@ void add_own(Preset preset, const std::filesystem::path& file, std::vector<Entry
     } else if (!same->own) {
         *same = {std::move(preset), true, file};
     } else {
-        throw core::InputError(file.string() + ": name is \"" + preset.name +
-                               "\", which another preset of yours has already.");
+        throw core::InputError("%1: name is \"%2\", which another preset of yours has already.",
+                               file.string(), preset.name);
     }
 }
 
@@ -49,7 +49,7 @@ std::string file_name_of(const std::string& preset_name) {
 void remove_file(const std::filesystem::path& file) {
     std::error_code failure;
     if (!std::filesystem::remove(file, failure) && failure)
-        throw core::InputError(file.string() + ": cannot be removed (" + failure.message() + ").");
+        throw core::InputError("%1: cannot be removed (%2).", file.string(), failure.message());
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ PresetLibrary load_presets(const std::filesystem::path& own_folder) {
         try {
             add_own(parse_preset(core::read_text_file(file), file.string()), file, library.entries);
         } catch (const core::InputError& fault) {
-            library.faults.push_back({file, fault.what()});
+            library.faults.push_back({file, fault.message()});
         }
     }
     std::sort(library.entries.begin(), library.entries.end(),
@@ -83,8 +83,8 @@ std::filesystem::path save_preset(const Preset& preset, const std::filesystem::p
     std::error_code failure;
     std::filesystem::create_directories(own_folder, failure);
     if (failure) {
-        throw core::InputError(own_folder.string() + ": this folder cannot be made (" +
-                               failure.message() + ").");
+        throw core::InputError("%1: this folder cannot be made (%2).", own_folder.string(),
+                               failure.message());
     }
     const std::filesystem::path file = preset_file(preset.name, own_folder);
     core::write_text_file(file, preset_to_json(preset));
@@ -95,11 +95,11 @@ void rename_preset(const PresetLibrary& library, const Entry& own, const std::st
     if (new_name.empty()) throw core::InputError("A brush needs a name.");
     const Entry* same = find_entry(library, new_name);
     if (same != nullptr && same->file != own.file)
-        throw core::InputError("There is already a brush \"" + same->preset.name + "\".");
+        throw core::InputError("There is already a brush \"%1\".", same->preset.name);
     const std::filesystem::path folder = own.file.parent_path(), old_file = own.file;
     const std::filesystem::path file = preset_file(new_name, folder);
     if (file != old_file && core::is_there(file))
-        throw core::InputError("There is already a file " + file.string() + ".");
+        throw core::InputError("There is already a file %1.", file.string());
     Preset renamed = own.preset;
     renamed.name = new_name;
     save_preset(renamed, folder);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brush/preset.hpp"
+#include "core/message.hpp"
 
 #include <filesystem>
 #include <string>
@@ -17,7 +18,7 @@ struct PresetLibrary {
     };
     struct Fault {
         std::filesystem::path file;
-        std::string sentence;  ///< names the file, the place and the value
+        core::Message sentence;  ///< names the file, the place and the value
     };
     std::vector<Entry> entries;  ///< in the order of their names; no two have the same
     std::vector<Fault> faults;   ///< the painter's files that were left out

@@ -1,6 +1,7 @@
 #include "core/disk.hpp"
 
 #include <cerrno>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -20,6 +21,13 @@ bool write_all(int file, std::span<const std::byte> bytes, std::uint64_t place) 
 
 bool says_full(int reason) {
     return reason == ENOSPC || reason == EDQUOT;
+}
+
+Message kind_of_file(mode_t mode) {
+    if (S_ISDIR(mode)) return message("a folder");
+    if (S_ISFIFO(mode)) return message("a named pipe");
+    if (S_ISSOCK(mode)) return message("a socket");
+    return S_ISCHR(mode) || S_ISBLK(mode) ? message("a device") : message("something else");
 }
 
 std::optional<std::uint64_t> free_bytes(const std::filesystem::path& folder) {

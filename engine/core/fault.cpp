@@ -11,43 +11,43 @@ namespace pastoso::core {
 namespace {
 
 /// For what the program did not foresee.
-std::string program_fault(const std::string& what) {
-    return "something went wrong within the program (" + what + ").";
+template <class What>
+Message program_fault(const What& what) {
+    return message("something went wrong within the program (%1).", what);
 }
 
-std::string system_fault(const std::filesystem::filesystem_error& error) {
-    std::string files = error.path1().string();
-    if (!error.path2().empty()) files += " and " + error.path2().string();
-    if (files.empty()) files = "a file";
-    return files + ": the system refuses this (" + error.code().message() + ").";
+Message files_of(const std::filesystem::filesystem_error& error) {
+    if (error.path1().empty()) return message("a file");
+    if (error.path2().empty()) return Message::verbatim(error.path1().string());
+    return message("%1 and %2", error.path1().string(), error.path2().string());
 }
 
-std::string sentence_on_caught() {
+Message sentence_on_caught() {
     try {
         throw;
     } catch (const InputError& error) {
-        return error.what();
+        return error.message();
     } catch (const std::bad_alloc&) {
-        return "memory ran out: what was asked for last is not done, or not whole.";
+        return message("memory ran out: what was asked for last is not done, or not whole.");
     } catch (const std::filesystem::filesystem_error& error) {
-        return system_fault(error);
+        return message("%1: the system refuses this (%2).", files_of(error), error.code().message());
     } catch (const std::system_error& error) {
-        return "the system refuses this (" + error.code().message() + ").";
+        return message("the system refuses this (%1).", error.code().message());
     } catch (const std::exception& error) {
         return program_fault(error.what());
     } catch (...) {
-        return program_fault("an exception of an unknown kind");
+        return program_fault(message("an exception of an unknown kind"));
     }
 }
 
 }  // namespace
 
-std::string caught_fault() noexcept {
+Message caught_fault() noexcept {
     try {
-        const std::string sentence = sentence_on_caught();
-        return sentence.empty() ? program_fault("no reason was given") : sentence;
+        Message sentence = sentence_on_caught();
+        return sentence.empty() ? program_fault(message("no reason was given")) : sentence;
     } catch (...) {
-        return "Out of memory.";  // short enough to need none
+        return {"Out of memory.", {}};  // short enough to need none
     }
 }
 

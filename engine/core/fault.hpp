@@ -1,23 +1,24 @@
 // The edge of a thread, a program or an event: no exception passes it, and the user reads one sentence.
 #pragma once
 
+#include "core/message.hpp"
+
 #include <functional>
-#include <string>
 #include <utility>
 
 namespace pastoso::core {
 
 /// Is told in one sentence what went wrong, on any thread; must return at once.
-using Tell = std::function<void(const std::string& sentence)>;
+using Tell = std::function<void(const Message& sentence)>;
 
 /// One sentence on the exception that is being handled: an InputError's own; of another one of the
 /// system the files it names and the system's reason; that memory ran out; or that the program is at
 /// fault. To be called where one is being handled.
-std::string caught_fault() noexcept;
+Message caught_fault() noexcept;
 
 /// Calls work(). Returns one sentence on what it threw, and nothing when it threw nothing.
 template <class Work>
-std::string fault_of(Work&& work) noexcept {
+Message fault_of(Work&& work) noexcept {
     try {
         std::forward<Work>(work)();
         return {};
@@ -30,7 +31,7 @@ std::string fault_of(Work&& work) noexcept {
 /// dropped: nobody is left who could be told.
 template <class Work, class Told>
 void guarded(Work&& work, const Told& tell) noexcept {
-    const std::string sentence = fault_of(std::forward<Work>(work));
+    const Message sentence = fault_of(std::forward<Work>(work));
     if (!sentence.empty()) fault_of([&] { tell(sentence); });
 }
 

@@ -49,8 +49,7 @@ const char* name_of(Isa isa) {
 void check_isa_request() {
     const char* request = std::getenv("PASTOSO_ISA");
     if (request == nullptr || requested_isa()) return;
-    throw InputError("PASTOSO_ISA is \"" + std::string(request) +
-                     "\", but there are baseline, avx2 and avx512.");
+    throw InputError("PASTOSO_ISA is \"%1\", but there are baseline, avx2 and avx512.", request);
 }
 
 }  // namespace pastoso::core

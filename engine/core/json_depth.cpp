@@ -27,8 +27,7 @@ bool nests_too_deep(std::string_view text) {
 
 void check_json_depth(std::string_view text, const std::string& file) {
     if (!nests_too_deep(text)) return;
-    throw InputError(file + ": lists and objects are nested more than " + std::to_string(kDeepestJson) +
-                     " deep.");
+    throw InputError("%1: lists and objects are nested more than %2 deep.", file, kDeepestJson);
 }
 
 }  // namespace pastoso::core

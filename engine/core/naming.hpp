@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace pastoso::core {
@@ -15,9 +16,8 @@ auto naming(const std::string& file, Work&& work) {
     try {
         return std::forward<Work>(work)();
     } catch (const InputError& error) {
-        const std::string sentence = error.what();
-        if (sentence.starts_with(file)) throw;
-        throw InputError(file + ": " + sentence);
+        if (std::string_view(error.what()).starts_with(file)) throw;
+        throw InputError("%1: %2", file, error.message());
     }
 }
 

@@ -29,16 +29,16 @@ constexpr std::size_t kMostWaiting = std::size_t{1} << 16;
 
 constexpr mode_t kRights = 0777, kNewRights = 0666, kAnyMayWrite = 0222;
 
-[[noreturn]] void refuse_writing(const Path& path, const std::string& why) {
-    throw InputError(path.string() + ": cannot be written (" + why + ").");
+[[noreturn]] void refuse_writing(const Path& path, const Message& why) {
+    throw InputError("%1: cannot be written (%2).", path.string(), why);
 }
 
 /// What the user can do where the system's own words leave that open.
-std::string words_of(int reason) {
-    if (reason == ENOSPC) return "the disk is full; make room on it, or choose another place";
+Message words_of(int reason) {
+    if (reason == ENOSPC) return message("the disk is full; make room on it, or choose another place");
     if (reason == EDQUOT)
-        return "your share of the disk is used up; make room on it, or choose another place";
-    return std::strerror(reason);
+        return message("your share of the disk is used up; make room on it, or choose another place");
+    return Message::verbatim(std::strerror(reason));
 }
 
 /// Where a link leads, though there may be no file yet.
@@ -50,13 +50,7 @@ Path followed(const Path& path) {
         if (no_link) return target;
         target = next.is_absolute() ? next : target.parent_path() / next;
     }
-    refuse_writing(path, std::strerror(ELOOP));
-}
-
-const char* kind_of(mode_t mode) {
-    if (S_ISDIR(mode)) return "a folder";
-    if (S_ISFIFO(mode)) return "a pipe";
-    return S_ISSOCK(mode) ? "a socket" : "a device";
+    refuse_writing(path, words_of(ELOOP));
 }
 
 /// The file at `target`, if there is one.
@@ -73,14 +67,14 @@ bool is_protected(const Path& target, const struct stat& status) {
 void check_replaceable(const Path& path, const Path& target, WriteProtected write_protected) {
     struct stat status {};
     if (!stands(target, status)) {
-        if (errno != ENOENT) refuse_writing(path, std::strerror(errno));
+        if (errno != ENOENT) refuse_writing(path, words_of(errno));
         return;
     }
     if (!S_ISREG(status.st_mode))
-        throw InputError(path.string() + ": is " + kind_of(status.st_mode) + ", not a file.");
+        throw InputError("%1: is %2, not a file.", path.string(), kind_of_file(status.st_mode));
     if (write_protected == WriteProtected::Refused && is_protected(target, status))
-        throw InputError(path.string() +
-                         ": is write-protected; allow writing to it, or choose another name.");
+        throw InputError("%1: is write-protected; allow writing to it, or choose another name.",
+                         path.string());
 }
 
 Path folder_of(const Path& file) {
@@ -189,8 +183,8 @@ void OutputFile::flush_folder() const {
     const int reason = ::fsync(folder) == 0 ? 0 : errno;
     ::close(folder);
     if (reason == EIO || says_full(reason))
-        throw InputError(path_.string() + ": is written, but may be lost in a power cut (" +
-                         std::strerror(reason) + ").");
+        throw InputError("%1: is written, but may be lost in a power cut (%2).", path_.string(),
+                         std::strerror(reason));
 }
 
 bool is_write_protected(const Path& path) {

@@ -1,5 +1,6 @@
 #include "core/regular_file.hpp"
 
+#include "core/disk.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
@@ -12,20 +13,13 @@
 namespace pastoso::core {
 namespace {
 
-const char* kind_of(mode_t mode) {
-    if (S_ISDIR(mode)) return "a folder";
-    if (S_ISFIFO(mode)) return "a named pipe";
-    if (S_ISSOCK(mode)) return "a socket";
-    return S_ISCHR(mode) || S_ISBLK(mode) ? "a device" : "something else";
-}
-
 [[noreturn]] void refuse_opening(const std::string& name) {
-    throw InputError(name + ": cannot be opened (" + std::strerror(errno) + ").");
+    throw InputError("%1: cannot be opened (%2).", name, std::strerror(errno));
 }
 
 void check_regular(const struct stat& file, const std::string& name) {
     if (!S_ISREG(file.st_mode))
-        throw InputError(name + ": is " + kind_of(file.st_mode) + ", not a file.");
+        throw InputError("%1: is %2, not a file.", name, kind_of_file(file.st_mode));
 }
 
 /// Looked at before it is opened, since opening alone does something to some devices; and again
@@ -66,7 +60,7 @@ std::size_t RegularFile::read_at(std::uint64_t place, void* to, std::size_t coun
         const ssize_t got = ::pread(descriptor_, static_cast<char*>(to) + done, count - done,
                                     static_cast<off_t>(place + done));
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw InputError(name_ + ": cannot be read (" + std::strerror(errno) + ").");
+        if (got < 0) throw InputError("%1: cannot be read (%2).", name_, std::strerror(errno));
         if (got == 0) break;
         done += static_cast<std::size_t>(got);
     }

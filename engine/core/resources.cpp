@@ -34,8 +34,11 @@ std::filesystem::path resource_path(const std::filesystem::path& relative) {
                                              : installed_prefix() / "share" / "pastoso";
     std::filesystem::path path = folder / relative;
     if (!is_there(path)) {
-        throw InputError(path.string() + ": this file of the program itself is missing; reinstall it or set "
-                                         "PASTOSO_RESOURCES to the folder that holds it.");
+        throw InputError(
+            "%1: this file of the program itself is missing; reinstall it or set PASTOSO_RESOURCES to "
+            "the "
+            "folder that holds it.",
+            path.string());
     }
     return path;
 }

@@ -13,12 +13,12 @@ namespace pastoso::core {
 std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
     const RegularFile file(path);
     if (file.bytes() > max_bytes) {
-        throw InputError(path.string() + ": is larger than the " + std::to_string(max_bytes) +
-                         " bytes that are read at most.");
+        throw InputError("%1: is larger than the %2 bytes that are read at most.", path.string(),
+                         max_bytes);
     }
     const auto size = static_cast<std::size_t>(file.bytes());
     std::string text = file.text_at(0, size);
-    if (text.size() < size) throw InputError(path.string() + ": cannot be read to its end.");
+    if (text.size() < size) throw InputError("%1: cannot be read to its end.", path.string());
     return text;
 }
 

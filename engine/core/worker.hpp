@@ -23,7 +23,7 @@ class Worker {
     /// Does a job, on the worker's thread.
     using Work = std::function<void(Job& job)>;
     /// Is told there in one sentence what a job threw; the next one follows.
-    using Failed = std::function<void(Job& job, const std::string& sentence)>;
+    using Failed = std::function<void(Job& job, const Message& sentence)>;
 
     /// `nice` as lower_priority() takes it.
     Worker(Work work, Failed failed, int nice = 0)
@@ -99,7 +99,7 @@ void Worker<Job>::change(const Make& make) {
         const std::lock_guard lock(mutex_);
         make(waiting_);
         if (!waiting_.empty() && !thread_.exists())
-            thread_ = Thread([this] { run(); }, [](const std::string&) {});
+            thread_ = Thread([this] { run(); }, [](const Message&) {});
     }
     changed_.notify_all();
     ended_.notify_all();
@@ -140,7 +140,7 @@ void Worker<Job>::run() {
         under_way_ = true;
         cancelled_ = false;
         lock.unlock();
-        guarded([&] { work_(*job); }, [&](const std::string& sentence) { failed_(*job, sentence); });
+        guarded([&] { work_(*job); }, [&](const Message& sentence) { failed_(*job, sentence); });
         job.reset();
         lock.lock();
         under_way_ = false;

@@ -2,10 +2,13 @@
 
 namespace pastoso::document {
 
-std::string arithmetic_note(int arithmetic) {
+core::Message arithmetic_note(int arithmetic) {
     if (arithmetic == kArithmetic) return {};
-    return "were painted with an earlier version of the program (arithmetic " + std::to_string(arithmetic) +
-           ", now " + std::to_string(kArithmetic) + "): replayed, they come out a little differently.";
+    return core::message(
+        "were painted with an earlier version of the program (arithmetic %1, now %2): replayed, they "
+        "come "
+        "out a little differently.",
+        arithmetic, kArithmetic);
 }
 
 }  // namespace pastoso::document

@@ -2,7 +2,7 @@
 // alone; recordings say which one they were painted with.
 #pragma once
 
-#include <string>
+#include "core/message.hpp"
 
 namespace pastoso::document {
 
@@ -15,6 +15,6 @@ inline constexpr int kArithmetic = 6;
 
 /// What a painter should know of strokes of an earlier arithmetic, as the end of a sentence on them;
 /// empty for those of the present one.
-std::string arithmetic_note(int arithmetic);
+core::Message arithmetic_note(int arithmetic);
 
 }  // namespace pastoso::document

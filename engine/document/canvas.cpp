@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "core/memory.hpp"
-#include "core/number_text.hpp"
 #include "film/state.hpp"
 #include "layers/extent.hpp"
 
@@ -31,11 +30,11 @@ constexpr std::size_t kStrataBytesPerCell =
 /// picture with its interpolated surface.
 constexpr std::size_t kBytesPerCell = 2 * kFilmBytesPerCell + kStrataBytesPerCell + 16 + 48;
 
-void check_between(const char* what, double value, double least, double most, const char* unit) {
+void check_between(const core::Message& what, double value, double least, double most,
+                   const char* unit) {
     if (value >= least && value <= most) return;
-    throw core::InputError(std::string("The ") + what + " of the canvas is " + core::number_text(value) +
-                           unit + ", but must lie between " + core::number_text(least) + " and " +
-                           core::number_text(most) + ".");
+    throw core::InputError("The %1 of the canvas is %2 %3, but must lie between %4 and %5.", what, value,
+                           unit, least, most);
 }
 
 int cells_along(double side_mm, double px_per_mm) {
@@ -46,10 +45,9 @@ int cells_from_origin(double place_mm, double px_per_mm) {
     return static_cast<int>(std::lround(place_mm * px_per_mm));
 }
 
-std::string size_text(const CanvasSettings& settings) {
-    return "A canvas of " + core::number_text(settings.width_mm) + " x " +
-           core::number_text(settings.height_mm) + " mm at " + core::number_text(settings.px_per_mm) +
-           " px/mm";
+core::Message size_of(const CanvasSettings& settings) {
+    return core::message("A canvas of %1 x %2 mm at %3 px/mm", settings.width_mm, settings.height_mm,
+                         settings.px_per_mm);
 }
 
 std::string gib_text(std::size_t bytes) {
@@ -67,19 +65,19 @@ film::SupportHeights resized_support(const BareCanvas& bare, const CanvasSetting
 }  // namespace
 
 void check_canvas(const CanvasSettings& settings) {
-    check_between("width", settings.width_mm, kMinCanvasSide_mm, kMaxCanvasSide_mm, " mm");
-    check_between("height", settings.height_mm, kMinCanvasSide_mm, kMaxCanvasSide_mm, " mm");
-    check_between("resolution", settings.px_per_mm, kMinPxPerMm, kMaxPxPerMm, " px/mm");
-    check_between("support relief", settings.support_relief_mm, 0.0, 20.0, " mm");
-    check_between("place on the cloth in x", settings.support_x_mm, -kMaxClothPlace_mm,
-                  kMaxClothPlace_mm, " mm");
-    check_between("place on the cloth in y", settings.support_y_mm, -kMaxClothPlace_mm,
-                  kMaxClothPlace_mm, " mm");
+    check_between(core::message("width"), settings.width_mm, kMinCanvasSide_mm, kMaxCanvasSide_mm, "mm");
+    check_between(core::message("height"), settings.height_mm, kMinCanvasSide_mm, kMaxCanvasSide_mm,
+                  "mm");
+    check_between(core::message("resolution"), settings.px_per_mm, kMinPxPerMm, kMaxPxPerMm, "px/mm");
+    check_between(core::message("support relief"), settings.support_relief_mm, 0.0, 20.0, "mm");
+    check_between(core::message("place on the cloth in x"), settings.support_x_mm, -kMaxClothPlace_mm,
+                  kMaxClothPlace_mm, "mm");
+    check_between(core::message("place on the cloth in y"), settings.support_y_mm, -kMaxClothPlace_mm,
+                  kMaxClothPlace_mm, "mm");
     const grid::Shape shape = canvas_shape(settings);
     if (std::max(shape.width, shape.height) > kMaxCellsPerSide) {
-        throw core::InputError(size_text(settings) + " would have " + std::to_string(shape.width) +
-                               " x " + std::to_string(shape.height) + " cells; at most " +
-                               std::to_string(kMaxCellsPerSide) + " a side are possible.");
+        throw core::InputError("%1 would have %2 x %3 cells; at most %4 a side are possible.",
+                               size_of(settings), shape.width, shape.height, kMaxCellsPerSide);
     }
 }
 
@@ -130,8 +128,8 @@ void check_canvas_fits(const CanvasSettings& settings, std::size_t available_byt
     check_canvas(settings);
     const std::size_t needed = estimated_bytes(canvas_shape(settings));
     if (needed <= available_bytes) return;
-    throw core::InputError(size_text(settings) + " needs about " + gib_text(needed) + "; " +
-                           gib_text(available_bytes) + " of memory are free.");
+    throw core::InputError("%1 needs about %2; %3 of memory are free.", size_of(settings),
+                           gib_text(needed), gib_text(available_bytes));
 }
 
 }  // namespace pastoso::document

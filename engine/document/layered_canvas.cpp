@@ -58,7 +58,7 @@ bool shares_all_tiles(const film::SupportHeights& a, const film::SupportHeights&
 
 void check_room(const LayerStack& stack) {
     if (stack.layers.size() < kMostLayers) return;
-    throw core::InputError("a painting has at most " + std::to_string(kMostLayers) + " layers.");
+    throw core::InputError("a painting has at most %1 layers.", kMostLayers);
 }
 
 /// Puts a new layer over the one at `place`, into the same group, and makes it active.
@@ -308,8 +308,8 @@ void LayeredCanvas::ungroup(const UngroupLayers& ungroup) {
 void LayeredCanvas::merge_down(const MergeDown& merge) {
     const std::size_t place = place_of(painting_.layers, merge.layer);
     if (place == 0)
-        throw core::InputError("there is no layer below \"" + painting_.layers.layers[0].look.name +
-                               "\" to merge it onto.");
+        throw core::InputError("there is no layer below \"%1\" to merge it onto.",
+                               painting_.layers.layers[0].look.name);
     check_paintable(painting_.layers, place - 1);
     check_paintable(painting_.layers, place);
     rearrange([&](LayerStack& stack) { merge_onto_lower(stack, place, pool_); });

@@ -10,10 +10,6 @@
 namespace pastoso::document {
 namespace {
 
-std::string quoted(const std::string& name) {
-    return "\"" + name + "\"";
-}
-
 /// Layers of one group lie next to each other.
 bool groups_hang_together(const std::vector<Layer>& layers) {
     std::vector<GroupId> ended;
@@ -26,10 +22,9 @@ bool groups_hang_together(const std::vector<Layer>& layers) {
     return true;
 }
 
-/// Takes another order, with the same layer active.
-void reorder(LayerStack& stack, std::vector<Layer> layers, const char* what) {
-    if (!groups_hang_together(layers))
-        throw core::InputError(std::string(what) + " would tear a group of layers apart.");
+/// Takes another order, with the same layer active. Throws `torn` where a group would not hang together.
+void reorder(LayerStack& stack, std::vector<Layer> layers, const core::Message& torn) {
+    if (!groups_hang_together(layers)) throw core::InputError(torn);
     const LayerId active = stack.layers[stack.active].id;
     stack.layers = std::move(layers);
     stack.active = place_of(stack, active);
@@ -38,15 +33,13 @@ void reorder(LayerStack& stack, std::vector<Layer> layers, const char* what) {
 
 void check_place(int place, std::size_t most) {
     if (place >= 0 && static_cast<std::size_t>(place) <= most) return;
-    throw core::InputError("there is no place " + std::to_string(place) +
-                           " for a layer; the highest is " + std::to_string(most) + ".");
+    throw core::InputError("there is no place %1 for a layer; the highest is %2.", place, most);
 }
 
 std::size_t place_of_group(const LayerStack& stack, GroupId group) {
     const auto found = std::find_if(stack.groups.begin(), stack.groups.end(),
                                     [&](const LayerGroup& one) { return one.id == group; });
-    if (found == stack.groups.end())
-        throw core::InputError("there is no group " + std::to_string(group) + " of layers.");
+    if (found == stack.groups.end()) throw core::InputError("there is no group %1 of layers.", group);
     return static_cast<std::size_t>(found - stack.groups.begin());
 }
 
@@ -62,8 +55,7 @@ LayerStack single_layer() {
 std::size_t place_of(const LayerStack& stack, LayerId layer) {
     const auto found = std::find_if(stack.layers.begin(), stack.layers.end(),
                                     [&](const Layer& one) { return one.id == layer; });
-    if (found == stack.layers.end())
-        throw core::InputError("there is no layer " + std::to_string(layer) + ".");
+    if (found == stack.layers.end()) throw core::InputError("there is no layer %1.", layer);
     return static_cast<std::size_t>(found - stack.layers.begin());
 }
 
@@ -99,22 +91,22 @@ void check_look(const LayerLook& look) {
 
 void check_stack(const LayerStack& stack) {
     if (stack.layers.empty() || stack.layers.size() > kMostLayers)
-        throw core::InputError("a painting has 1 to " + std::to_string(kMostLayers) + " layers, not " +
-                               std::to_string(stack.layers.size()) + ".");
+        throw core::InputError("a painting has 1 to %1 layers, not %2.", kMostLayers,
+                               stack.layers.size());
     if (stack.active >= stack.layers.size()) throw core::InputError("the active layer is none.");
     std::set<LayerId> layers;
     std::set<GroupId> groups;
     for (const LayerGroup& group : stack.groups) {
         check_look(group.look);
         if (group.id == 0 || group.id >= stack.next_group || !groups.insert(group.id).second)
-            throw core::InputError("there cannot be a group " + std::to_string(group.id) + ".");
+            throw core::InputError("there cannot be a group %1.", group.id);
     }
     for (const Layer& layer : stack.layers) {
         check_look(layer.look);
         if (layer.id == 0 || layer.id >= stack.next_layer || !layers.insert(layer.id).second)
-            throw core::InputError("there cannot be a layer " + std::to_string(layer.id) + ".");
+            throw core::InputError("there cannot be a layer %1.", layer.id);
         if (layer.group != 0 && !groups.contains(layer.group))
-            throw core::InputError("there is no group " + std::to_string(layer.group) + ".");
+            throw core::InputError("there is no group %1.", layer.group);
     }
     if (!groups_hang_together(stack.layers))
         throw core::InputError("the layers of a group do not lie next to each other.");
@@ -122,13 +114,13 @@ void check_stack(const LayerStack& stack) {
 
 void check_unlocked(const LayerStack& stack, std::size_t place) {
     if (effective_look(stack, place).locked)
-        throw core::InputError("the layer " + quoted(stack.layers[place].look.name) + " is locked.");
+        throw core::InputError("the layer \"%1\" is locked.", stack.layers[place].look.name);
 }
 
 void check_paintable(const LayerStack& stack, std::size_t place) {
     check_unlocked(stack, place);
     if (!effective_look(stack, place).visible)
-        throw core::InputError("the layer " + quoted(stack.layers[place].look.name) + " is hidden.");
+        throw core::InputError("the layer \"%1\" is hidden.", stack.layers[place].look.name);
 }
 
 void move_layer(LayerStack& stack, const MoveLayer& move) {
@@ -140,7 +132,8 @@ void move_layer(LayerStack& stack, const MoveLayer& move) {
     moved.group = move.group;
     layers.erase(from);
     layers.insert(layers.begin() + move.place, std::move(moved));
-    reorder(stack, std::move(layers), "moving the layer there");
+    reorder(stack, std::move(layers),
+            core::message("moving the layer there would tear a group of layers apart."));
 }
 
 void group_layers(LayerStack& stack, const GroupLayers& group) {
@@ -149,10 +142,12 @@ void group_layers(LayerStack& stack, const GroupLayers& group) {
     for (const LayerId id : group.layers) {
         Layer& layer = layers[place_of(stack, id)];
         if (layer.group != 0)
-            throw core::InputError("the layer " + quoted(layer.look.name) + " is in a group already.");
+            throw core::InputError("the layer \"%1\" is in a group already.", layer.look.name);
         layer.group = stack.next_group;
     }
-    reorder(stack, std::move(layers), "grouping layers that do not lie next to each other");
+    reorder(stack, std::move(layers),
+            core::message("grouping layers that do not lie next to each other would tear a group of "
+                          "layers apart."));
     stack.groups.push_back({stack.next_group++, {.name = group.name}});
 }
 
@@ -163,7 +158,8 @@ void move_group(LayerStack& stack, const MoveGroup& move) {
         (layer.group == move.group ? moved : others).push_back(layer);
     check_place(move.place, others.size());
     others.insert(others.begin() + move.place, moved.begin(), moved.end());
-    reorder(stack, std::move(others), "moving the group there");
+    reorder(stack, std::move(others),
+            core::message("moving the group there would tear a group of layers apart."));
 }
 
 void ungroup_layers(LayerStack& stack, GroupId group) {

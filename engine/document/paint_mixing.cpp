@@ -19,10 +19,10 @@ constexpr double kLeastStrength = 1e-4;
 void check_paint(const PaintRecipe& paint) {
     for (const Ingredient& ingredient : paint.ingredients) {
         pigment::check_paint_name(ingredient.pigment);
-        check_between("number of parts of " + ingredient.pigment, "", ingredient.parts, kLeastParts,
-                      kMostParts);
+        check_between(core::message("number of parts of %1", ingredient.pigment), "", ingredient.parts,
+                      kLeastParts, kMostParts);
     }
-    check_between("strength of the paint", "", paint.strength, kLeastStrength, 1.0);
+    check_between(core::message("strength of the paint"), "", paint.strength, kLeastStrength, 1.0);
 }
 
 film::PaintCoefficients mixed_paint(const PaintRecipe& paint, const film::Medium& medium) {

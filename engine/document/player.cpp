@@ -39,8 +39,8 @@ void Player::apply_due_events() {
         try {
             painting_.apply(events[next_event_].action);
         } catch (const core::InputError& error) {
-            const std::string event = "event " + std::to_string(next_event_) + ": " + error.what();
-            throw core::InputError(name_.empty() ? event : name_ + ", " + event);
+            if (name_.empty()) throw core::InputError("event %1: %2", next_event_, error.message());
+            throw core::InputError("%1, event %2: %3", name_, next_event_, error.message());
         }
     }
 }

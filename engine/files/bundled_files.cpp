@@ -22,9 +22,8 @@ fs::path scene_path(const std::string& path_or_name, const std::string& folder) 
     if (path.has_extension() || path.has_parent_path() || core::is_there(path)) return path;
     const fs::path bundled = core::resource_path(folder) / (path_or_name + ".json");
     if (!core::is_there(bundled)) {
-        throw core::InputError(
-            "There is no scene \"" + path_or_name +
-            "\"; give a file ending in .json, or one of: " + core::listed(bundled_names(folder)) + ".");
+        throw core::InputError("There is no scene \"%1\"; give a file ending in .json, or one of: %2.",
+                               path_or_name, core::listed(bundled_names(folder)));
     }
     return bundled;
 }

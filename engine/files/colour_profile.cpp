@@ -46,7 +46,7 @@ Transform to_profile(const Workshop& workshop, WorkingSpace space, const Profile
 }
 
 /// The profile that the values in a file are in. `grey` is set where it describes one channel alone.
-Profile source_profile(const Workshop& workshop, const StoredColour& colour, const std::string& name,
+Profile source_profile(const Workshop& workshop, const StoredColour& colour, const core::Message& name,
                        bool& grey) {
     if (colour.profile.empty()) {
         const Curve curve = colour.linear ? linear_curve(workshop) : srgb_curve(workshop);
@@ -54,15 +54,15 @@ Profile source_profile(const Workshop& workshop, const StoredColour& colour, con
                            colour.chromaticities.value_or(chromaticities_of(WorkingSpace::Srgb)), curve);
     }
     Profile profile = open_profile(workshop, colour.profile);
-    if (profile == nullptr) {
-        throw core::InputError(name + ": holds an ICC profile that is none (" + workshop.complaint() +
-                               ").");
-    }
+    if (profile == nullptr)
+        throw core::InputError("%1: holds an ICC profile that is none (%2).", name,
+                               workshop.complaint());
     const cmsColorSpaceSignature space = cmsGetColorSpace(profile.get());
     grey = space == cmsSigGrayData;
     if (space != cmsSigRgbData && !grey) {
-        throw core::InputError(name + ": holds an ICC profile for " + text_of(space) +
-                               ", but the picture's values are red, green and blue.");
+        throw core::InputError(
+            "%1: holds an ICC profile for %2, but the picture's values are red, green and blue.", name,
+            text_of(space));
     }
     return profile;
 }
@@ -103,14 +103,13 @@ IccProfile read_icc_profile(const std::filesystem::path& path) {
     IccProfile bytes = profile_bytes(path);
     const Profile profile = checked_profile(workshop, bytes, path.string());
     if (cmsGetColorSpace(profile.get()) != cmsSigRgbData) {
-        throw core::InputError(path.string() + ": is an ICC profile for " +
-                               text_of(cmsGetColorSpace(profile.get())) +
-                               ", but a picture is written in red, green and blue.");
+        throw core::InputError(
+            "%1: is an ICC profile for %2, but a picture is written in red, green and blue.",
+            path.string(), text_of(cmsGetColorSpace(profile.get())));
     }
     if (to_profile(workshop, WorkingSpace::Srgb, profile) == nullptr) {
-        throw core::InputError(path.string() +
-                               ": is an ICC profile that no picture can be written in (" +
-                               workshop.complaint() + ").");
+        throw core::InputError("%1: is an ICC profile that no picture can be written in (%2).",
+                               path.string(), workshop.complaint());
     }
     return bytes;
 }
@@ -128,7 +127,7 @@ Chromaticities chromaticities_of(WorkingSpace space) {
 }
 
 void into_working_space(pigment::LinearImage& image, const StoredColour& colour,
-                        const std::string& name) {
+                        const core::Message& name) {
     const Workshop workshop;
     bool grey = false;
     const Profile source = source_profile(workshop, colour, name, grey);
@@ -139,8 +138,8 @@ void into_working_space(pigment::LinearImage& image, const StoredColour& colour,
                                                     target.get(), TYPE_RGB_FLT,
                                                     INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOCACHE));
     if (transform == nullptr) {
-        throw core::InputError(name + ": holds an ICC profile that cannot be applied (" +
-                               workshop.complaint() + ").");
+        throw core::InputError("%1: holds an ICC profile that cannot be applied (%2).", name,
+                               workshop.complaint());
     }
     transform_rows(transform, image);
 }

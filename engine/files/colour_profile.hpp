@@ -2,6 +2,7 @@
 // them.
 #pragma once
 
+#include "core/message.hpp"
 #include "pigment/image.hpp"
 
 #include <array>
@@ -38,11 +39,11 @@ struct StoredColour {
 };
 
 /// Takes the values of a picture file (three a pixel) into linear light of the working space, white to
-/// white (relative colorimetric); what lies outside the space gets values below 0 or above 1. `name` is
-/// the file's name for errors. Throws InputError when the file's profile is none or is for other
+/// white (relative colorimetric); what lies outside the space gets values below 0 or above 1. `name`
+/// stands for the picture in errors. Throws InputError when its profile is none or is for other
 /// pictures.
 void into_working_space(pigment::LinearImage& image, const StoredColour& colour,
-                        const std::string& name);
+                        const core::Message& name);
 
 /// A picture in the colours of a profile, three values of 0 to 1 a pixel: brought into the gamut of its
 /// own space first, then converted with the profile's perceptual rendering where it has one, otherwise

@@ -1,6 +1,5 @@
 #include "files/exr_header.hpp"
 
-#include "core/error.hpp"
 #include "files/byte_order.hpp"
 #include "files/picture_rows.hpp"
 
@@ -48,9 +47,10 @@ void check_tiles(const Header& header, const std::string& name) {
     constexpr std::uint32_t kLeastSide_px = 8;
     const std::uint32_t width = header.word_at(header.place), height = header.word_at(header.place + 4);
     if (width >= kLeastSide_px && height >= kLeastSide_px) return;
-    throw core::InputError(name + "is stored in tiles of " + std::to_string(width) + " x " +
-                           std::to_string(height) +
-                           " pixels, but 8 a side are the least that are read.");
+    throw picture_error(
+        name,
+        core::message("is stored in tiles of %1 x %2 pixels, but 8 a side are the least that are read.",
+                      width, height));
 }
 
 /// Name, type, size and value of every attribute until an empty name.
@@ -59,7 +59,7 @@ void check_attributes(Header& header, const std::string& name) {
         header.name();
         const std::uint32_t size = header.word();
         if (header.place > header.file.bytes() || size > header.file.bytes() - header.place)
-            throw core::InputError(name + "is damaged (its header reaches beyond the end).");
+            throw picture_error(name, core::message("is damaged (its header reaches beyond the end)."));
         if (attribute == "dataWindow") check_window(header, name);
         if (attribute == "tiles") check_tiles(header, name);
         header.place += size;

@@ -20,7 +20,7 @@ void check_writable(const std::filesystem::path& path) {
 
 void make_folder(const std::filesystem::path& folder) {
     if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST)
-        throw core::InputError(folder.string() + ": cannot be created (" + std::strerror(errno) + ").");
+        throw core::InputError("%1: cannot be created (%2).", folder.string(), std::strerror(errno));
     check_writable(folder / "file");
 }
 

@@ -35,7 +35,7 @@ IccProfile profile_bytes(const std::filesystem::path& path) {
 Profile checked_profile(const Workshop& workshop, const IccProfile& bytes, const std::string& name) {
     Profile profile = open_profile(workshop, bytes);
     if (profile == nullptr)
-        throw core::InputError(name + ": is no ICC profile (" + workshop.complaint() + ").");
+        throw core::InputError("%1: is no ICC profile (%2).", name, workshop.complaint());
     return profile;
 }
 

@@ -33,7 +33,9 @@ class Workshop {
     Workshop& operator=(const Workshop&) = delete;
 
     cmsContext context() const { return context_; }
-    std::string complaint() const { return complaint_.empty() ? "it is damaged" : complaint_; }
+    core::Message complaint() const {
+        return complaint_.empty() ? core::message("it is damaged") : core::Message::verbatim(complaint_);
+    }
 
   private:
     std::string complaint_;

@@ -101,14 +101,14 @@ void write_to_sink(void* sink, std::uint64_t place, const void* bytes, std::size
 
 }  // namespace
 
-ImageEncoder::ImageEncoder(std::string name, const char* format, const ImageLayout& layout, int png_effort,
-                           ByteSink sink)
+ImageEncoder::ImageEncoder(core::Message name, const char* format, const ImageLayout& layout,
+                           int png_effort, ByteSink sink)
     : name_(std::move(name)), sink_(with_meaning(format, layout, std::move(sink))) {
     PASTOSO_CHECK(layout.channels.empty() ||
                   layout.channels.size() == static_cast<std::size_t>(layout.channel_count));
     const Request request(format, layout, png_effort);
     if (format == kPng) {
-        png_ = std::make_unique<PngEncoder>(name_ + ": ", request.picture, sink_);
+        png_ = std::make_unique<PngEncoder>(name_, request.picture, sink_);
         return;
     }
     const PastosoSink target{&sink_, &write_to_sink};
@@ -121,7 +121,7 @@ ImageEncoder::~ImageEncoder() {
 }
 
 void ImageEncoder::check(int status, const char* error) const {
-    if (status != 0) throw core::InputError(name_ + ": " + error + ".");
+    if (status != 0) throw core::InputError("%1: %2.", name_, error);
 }
 
 void ImageEncoder::write_rows(const void* rows, int count) {

@@ -19,7 +19,8 @@ class ImageEncoder {
     /// encoded ones hold `profile` or that of their space; PNG the same as cICP (ITU-T H.273) besides, where it is
     /// the space's; linear ones in TIFF the profile of linear light, in EXR chromaticities. Throws InputError when
     /// the library refuses the picture.
-    ImageEncoder(std::string name, const char* format, const ImageLayout& layout, int png_effort, ByteSink sink);
+    ImageEncoder(core::Message name, const char* format, const ImageLayout& layout, int png_effort,
+                 ByteSink sink);
     ~ImageEncoder();
     ImageEncoder(const ImageEncoder&) = delete;
     ImageEncoder& operator=(const ImageEncoder&) = delete;
@@ -33,7 +34,7 @@ class ImageEncoder {
   private:
     void check(int status, const char* error) const;
 
-    std::string name_;
+    core::Message name_;
     ByteSink sink_;  ///< the library holds its address
     PastosoWriter* writer_ = nullptr;    ///< none for PNG
     std::unique_ptr<PngEncoder> png_{};  ///< none but for PNG

@@ -31,8 +31,8 @@ const Format& format_of(const std::filesystem::path& path) {
         if (extension == format.extension) return format;
     }
     throw core::InputError(
-        path.string() +
-        ": a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in none of them.");
+        "%1: a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in none of them.",
+        path.string());
 }
 
 bool holds(const Format& format, Sample sample) {
@@ -41,10 +41,11 @@ bool holds(const Format& format, Sample sample) {
     return sample == Sample::Half ? format.holds_half : format.holds_single;
 }
 
-const char* describe(Sample sample) {
-    if (sample == Sample::Uint8) return "8-bit";
-    if (sample == Sample::Uint16) return "16-bit";
-    return sample == Sample::Half ? "linear" : "single-precision";
+core::Message describe(Sample sample) {
+    if (sample == Sample::Uint8) return core::message("8-bit pictures");
+    if (sample == Sample::Uint16) return core::message("16-bit pictures");
+    return sample == Sample::Half ? core::message("linear pictures")
+                                  : core::message("single-precision pictures");
 }
 
 }  // namespace
@@ -52,8 +53,8 @@ const char* describe(Sample sample) {
 void check_layout(const std::filesystem::path& path, const ImageLayout& layout) {
     const Format& format = format_of(path);
     if (!holds(format, layout.sample)) {
-        throw core::InputError(path.string() + ": " + format.extension + " files do not hold " +
-                               describe(layout.sample) + " pictures.");
+        throw core::InputError("%1: %2 files do not hold %3.", path.string(), format.extension,
+                               describe(layout.sample));
     }
     check_picture_size(path, layout.width, layout.height);
 }
@@ -61,9 +62,8 @@ void check_layout(const std::filesystem::path& path, const ImageLayout& layout) 
 void check_picture_size(const std::filesystem::path& path, int width, int height) {
     const Format& format = format_of(path);
     if (std::max(width, height) <= format.most_px) return;
-    throw core::InputError(path.string() + ": " + format.extension + " files hold at most " +
-                           std::to_string(format.most_px) + " pixels a side; this picture has " +
-                           std::to_string(width) + " x " + std::to_string(height) + ".");
+    throw core::InputError("%1: %2 files hold at most %3 pixels a side; this picture has %4 x %5.",
+                           path.string(), format.extension, format.most_px, width, height);
 }
 
 bool is_linear_format(const std::filesystem::path& path) {

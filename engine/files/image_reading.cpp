@@ -1,4 +1,3 @@
-#include "core/error.hpp"
 #include "core/units.hpp"
 #include "files/file_head.hpp"
 #include "files/image.hpp"
@@ -19,8 +18,11 @@ namespace {
 /// with.
 constexpr int kPixelsAtOnce = 1 << 20;
 
-/// Calls take(y, count, values) for all rows, `count` of them at a time. Throws InputError "`name`..."
-/// where a value is no number, or the file ends too early.
+/// As picture_error() has it.
+const std::string kInMemory{};
+
+/// Calls take(y, count, values) for all rows, `count` of them at a time. Throws picture_error() where a
+/// value is no number, or the file ends too early.
 template <class Take>
 void for_rows(PictureRows& rows, const std::string& name, Take&& take) {
     const PictureHead& head = rows.head();
@@ -32,7 +34,7 @@ void for_rows(PictureRows& rows, const std::string& name, Take&& take) {
         rows.read(count, values.data());
         const auto end = values.begin() + static_cast<std::ptrdiff_t>(row_values) * count;
         if (!std::all_of(values.begin(), end, [](float value) { return std::isfinite(value); }))
-            throw core::InputError(name + "holds a value that is not a finite number.");
+            throw picture_error(name, core::message("holds a value that is not a finite number."));
         take(y, count, values.data());
     }
     rows.finish();
@@ -60,7 +62,7 @@ pigment::LinearImage colours_of(const PictureHead& head, const float* values, in
 
 void check_profile(const PictureHead& head, const std::string& name) {
     if (head.profile_is_damaged)
-        throw core::InputError(name + "holds an ICC profile that is none (it is damaged).");
+        throw picture_error(name, core::message("holds an ICC profile that is none (it is damaged)."));
 }
 
 /// What programs write that know no resolution.
@@ -79,15 +81,18 @@ pigment::Picture empty_picture(const PictureHead& head) {
     return picture;
 }
 
+core::Message called(const std::string& name) {
+    return name.empty() ? core::message("the picture") : core::Message::verbatim(name);
+}
+
 /// The picture's colours in sRGB, those beyond it brought in, with its alpha.
-pigment::Picture srgb_picture(PictureRows& rows, const std::string& file) {
+pigment::Picture srgb_picture(PictureRows& rows, const std::string& name) {
     const PictureHead& head = rows.head();
-    const std::string name = file + ": ";
     check_profile(head, name);
     pigment::Picture picture = empty_picture(head);
     for_rows(rows, name, [&](int y, int count, const float* values) {
         pigment::LinearImage image = colours_of(head, values, count, true, pigment::WorkingSpace::Srgb);
-        into_working_space(image, head.meaning, file);
+        into_working_space(image, head.meaning, called(name));
         const pigment::Image8 encoded = pigment::encode_srgb8(image);
         std::uint8_t* to = &picture.rgba[std::size_t{4} * y * head.width];
         for (std::size_t i = 0; i < encoded.rgb.size() / 3; ++i, to += 4, values += head.channels()) {
@@ -113,7 +118,7 @@ pigment::Picture stored_picture(PictureRows& rows, const std::string& name) {
     return picture;
 }
 
-/// Of a file in memory; sentences begin with "the picture".
+/// Of a file in memory.
 std::unique_ptr<PictureRows> memory_rows(std::string_view file) {
     return png_rows(
         [file](void* to, std::size_t count) mutable {
@@ -121,7 +126,7 @@ std::unique_ptr<PictureRows> memory_rows(std::string_view file) {
             file.remove_prefix(got);
             return got;
         },
-        "the picture ");
+        kInMemory);
 }
 
 }  // namespace
@@ -133,13 +138,13 @@ bool holds_picture(const std::filesystem::path& path) {
 pigment::LinearImage read_colour_image(const std::filesystem::path& path, pigment::WorkingSpace space) {
     const std::unique_ptr<PictureRows> rows = open_picture(path);
     const PictureHead& head = rows->head();
-    const std::string name = path.string() + ": ";
+    const std::string name = path.string();
     check_profile(head, name);
     pigment::LinearImage image{head.width, head.height, {}, space};
     image.rgb.reserve(std::size_t{3} * head.width * head.height);
     for_rows(*rows, name, [&](int, int count, const float* values) {
         pigment::LinearImage part = colours_of(head, values, count, false, space);
-        into_working_space(part, head.meaning, path.string());
+        into_working_space(part, head.meaning, called(name));
         image.rgb.insert(image.rgb.end(), part.rgb.begin(), part.rgb.end());
     });
     return image;
@@ -163,7 +168,7 @@ GreyImage read_grey_image(const std::filesystem::path& path) {
     const PictureHead& head = rows->head();
     GreyImage image{head.width, head.height, {}};
     image.values.reserve(std::size_t{1} * head.width * head.height);
-    for_rows(*rows, path.string() + ": ", [&](int, int count, const float* values) {
+    for_rows(*rows, path.string(), [&](int, int count, const float* values) {
         for (int i = 0; i < head.width * count; ++i, values += head.channels()) {
             const bool multiplied = head.colours_have_alpha || !head.has_alpha;
             const float alpha = multiplied ? 1.0F : values[head.colours];
@@ -174,17 +179,17 @@ GreyImage read_grey_image(const std::filesystem::path& path) {
 }
 
 pigment::Picture decode_png(std::string_view file) {
-    return stored_picture(*memory_rows(file), "the picture ");
+    return stored_picture(*memory_rows(file), kInMemory);
 }
 
 pigment::Picture decode_png_to_srgb(std::string_view file) {
     const std::unique_ptr<PictureRows> rows = memory_rows(file);
-    check_profile(rows->head(), "the picture ");
+    check_profile(rows->head(), kInMemory);
     const IccProfile& profile = rows->head().meaning.profile;
     // Our own colours come back exactly.
     if (profile.empty() || profile == icc_profile(pigment::WorkingSpace::Srgb))
-        return stored_picture(*rows, "the picture ");
-    return srgb_picture(*rows, "the picture");
+        return stored_picture(*rows, kInMemory);
+    return srgb_picture(*rows, kInMemory);
 }
 
 }  // namespace pastoso::files

@@ -22,8 +22,10 @@ void write_into(std::string& file, std::uint64_t place, std::span<const std::byt
 
 ImageWriter::ImageWriter(core::OutputFile& file, const ImageLayout& layout)
     : file_(file),
-      encoder_(file.path().string(), checked_format(file.path(), layout), layout, kPngEffort,
-               [&file](std::uint64_t place, std::span<const std::byte> bytes) { file.write_at(place, bytes); }) {
+      encoder_(core::Message::verbatim(file.path().string()), checked_format(file.path(), layout),
+               layout, kPngEffort, [&file](std::uint64_t place, std::span<const std::byte> bytes) {
+                   file.write_at(place, bytes);
+               }) {
     file_.check();
 }
 
@@ -48,7 +50,7 @@ void write_rows_aside(const std::filesystem::path& path, const ImageLayout& layo
 
 std::string encode_png(const ImageLayout& layout, const void* rows) {
     std::string file;
-    ImageEncoder encoder("A picture", "png", layout, kFastPngEffort,
+    ImageEncoder encoder(core::message("A picture"), "png", layout, kFastPngEffort,
                          [&file](std::uint64_t place, std::span<const std::byte> bytes) {
                              write_into(file, place, bytes);
                          });

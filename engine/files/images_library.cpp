@@ -18,13 +18,12 @@ ImagesLibrary open_library() {
     const std::string path =
         (core::installed_prefix() / "lib" / "pastoso" / "pastoso-images.so").string();
     void* module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (module == nullptr) {
-        throw core::InputError(path + ": this part of the program cannot be loaded (" + ::dlerror() +
-                               ").");
-    }
+    if (module == nullptr)
+        throw core::InputError("%1: this part of the program cannot be loaded (%2).", path, ::dlerror());
     auto* const abi = find<PastosoImagesAbi>(module, "pastoso_images_abi");
     if (abi == nullptr || abi() != kPastosoImagesAbi) {
-        throw core::InputError(path + ": this part of the program is of another version; reinstall it.");
+        throw core::InputError("%1: this part of the program is of another version; reinstall it.",
+                               path);
     }
     return {find<PastosoImagesOpen>(module, "pastoso_images_open"),
             find<PastosoImagesWriteRows>(module, "pastoso_images_write_rows"),

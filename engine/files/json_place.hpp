@@ -30,7 +30,12 @@ class JsonPlace {
     const std::string& file() const { return *file_; }
     const std::string& path() const { return path_; }
 
-    [[noreturn]] void fail(const std::string& message) const;
+    [[noreturn]] void fail(const core::Message& message) const;
+    template <class... Arguments>
+    [[noreturn]] void fail(core::Pattern<sizeof...(Arguments)> pattern,
+                           const Arguments&... arguments) const {
+        fail(core::message(pattern, arguments...));
+    }
 
     /// Runs a check that throws InputError without a place, and adds the place.
     template <class Check>
@@ -38,7 +43,7 @@ class JsonPlace {
         try {
             check();
         } catch (const core::InputError& error) {
-            fail(error.what());
+            fail(error.message());
         }
     }
 
@@ -65,7 +70,7 @@ class JsonPlace {
     bool boolean_or(const char* key, bool otherwise) const;
 
   private:
-    void expect(bool is_kind, const char* kind) const;
+    void expect(bool is_kind, core::Pattern<0> kind) const;
 
     const Json* value_;
     const std::string* file_;
@@ -75,8 +80,8 @@ class JsonPlace {
 /// What a file says of itself: {"format": NAME, "version": 1 to NEWEST, ...}.
 struct FileFormat {
     const char* name;    ///< "pastoso-scene"
-    const char* thing;   ///< what the file is: "a scene"
-    const char* format;  ///< how errors call its format: "scene format"
+    core::Pattern<0> thing;   ///< what the file is: "a scene"
+    core::Pattern<0> format;  ///< how errors call its format: "scene format"
     int newest;          ///< version that this program reads
 };
 

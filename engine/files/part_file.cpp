@@ -28,14 +28,13 @@ std::uint64_t checksum(std::string_view file, std::size_t head_bytes) {
     return hash.value();
 }
 
-std::string versions_read(const PartFileKind& kind) {
-    const std::string newest = std::to_string(kind.version);
-    if (kind.oldest == kind.version) return "version " + newest;
-    return "versions " + std::to_string(kind.oldest) + " to " + newest;
+core::Message versions_read(const PartFileKind& kind) {
+    if (kind.oldest == kind.version) return core::message("version %1", kind.version);
+    return core::message("versions %1 to %2", kind.oldest, kind.version);
 }
 
-std::string ends_within(std::size_t head_bytes) {
-    return "is damaged (it ends within its first " + std::to_string(head_bytes) + " bytes).";
+core::Message ends_within(std::size_t head_bytes) {
+    return core::message("is damaged (it ends within its first %1 bytes).", head_bytes);
 }
 
 template <class Value>
@@ -84,13 +83,13 @@ PartFileReader::PartFileReader(std::filesystem::path path, const PartFileKind& k
     : path_(std::move(path)),
       kind_(kind),
       file_(core::read_text_file(path_, kind.head_bytes(kind.version) + kind.most_bytes)) {
-    const std::string sentence = fault(scene_hash);
+    const core::Message sentence = fault(scene_hash);
     if (!sentence.empty()) refuse(sentence);
     next_at_ = head_bytes();
 }
 
-void PartFileReader::refuse(const std::string& sentence) const {
-    throw core::InputError(path_.string() + ": " + sentence);
+void PartFileReader::refuse(const core::Message& sentence) const {
+    throw core::InputError("%1: %2", path_.string(), sentence);
 }
 
 std::uint64_t PartFileReader::number_at(std::size_t byte) const {
@@ -105,26 +104,24 @@ std::uint64_t PartFileReader::part_bytes(std::size_t part) const {
 
 /// What the file is instead of one of ours; empty when it is one, whose version and flags are then
 /// known.
-std::string PartFileReader::fault(std::uint64_t scene_hash) {
+core::Message PartFileReader::fault(std::uint64_t scene_hash) {
     if (!std::string_view(file_).starts_with(std::string_view(kind_.mark.data(), kind_.mark.size())))
-        return std::string("is no ") + kind_.what + ".";
+        return core::message("is no %1.", core::message(kind_.what));
     if (file_.size() < kSceneAt) return ends_within(kSceneAt);
     std::memcpy(&version_, file_.data() + kVersionAt, sizeof version_);
     std::memcpy(&flags_, file_.data() + kFlagsAt, sizeof flags_);
-    if (version_ < kind_.oldest || version_ > kind_.version) {
-        return "is of version " + std::to_string(version_) + ", this program reads " +
-               versions_read(kind_) + ".";
-    }
+    if (version_ < kind_.oldest || version_ > kind_.version)
+        return core::message("is of version %1, this program reads %2.", version_, versions_read(kind_));
     if (file_.size() < head_bytes()) return ends_within(head_bytes());
     std::uint64_t left = file_.size() - head_bytes();
     for (std::size_t part = 0; part < kind_.parts; ++part) {
-        if (part_bytes(part) > left) return "is damaged (it is shorter than it says).";
+        if (part_bytes(part) > left) return core::message("is damaged (it is shorter than it says).");
         left -= part_bytes(part);
     }
-    if (left != 0) return "is damaged (it is longer than it says).";
+    if (left != 0) return core::message("is damaged (it is longer than it says).");
     if (number_at(head_bytes() - kNumber) != checksum(file_, head_bytes()))
-        return "is damaged (its checksum is another).";
-    if (number_at(kSceneAt) != scene_hash) return "belongs to another scene.";
+        return core::message("is damaged (its checksum is another).");
+    if (number_at(kSceneAt) != scene_hash) return core::message("belongs to another scene.");
     return {};
 }
 
@@ -145,7 +142,7 @@ std::size_t PartFileReader::unpack_next(std::size_t bytes) {
     try {
         unpacked_ = unpacker_.unpacked(packed, bytes);
     } catch (const core::InputError& error) {
-        refuse(error.what());
+        refuse(error.message());
     }
     return unpacked_.size();
 }

@@ -2,6 +2,7 @@
 // it is whole: the container of liquids' frames and checkpoints (docs/tea-cache.md).
 #pragma once
 
+#include "core/message.hpp"
 #include "packing/packed_bytes.hpp"
 
 #include <array>
@@ -17,7 +18,7 @@ namespace pastoso::files {
 
 /// What all files of one kind have in common.
 struct PartFileKind {
-    const char* what;  ///< "frame of tea"
+    core::Pattern<0> what;  ///< "frame of tea"
     std::array<char, 8> mark;
     std::uint32_t version;   ///< that is written
     std::uint32_t oldest;    ///< that is read
@@ -105,10 +106,15 @@ class PartFileReader {
     void skip();
 
     /// Throws InputError "PATH: SENTENCE".
-    [[noreturn]] void refuse(const std::string& sentence) const;
+    [[noreturn]] void refuse(const core::Message& sentence) const;
+    template <class... Arguments>
+    [[noreturn]] void refuse(core::Pattern<sizeof...(Arguments)> pattern,
+                             const Arguments&... arguments) const {
+        refuse(core::message(pattern, arguments...));
+    }
 
   private:
-    std::string fault(std::uint64_t scene_hash);
+    core::Message fault(std::uint64_t scene_hash);
     std::size_t head_bytes() const { return kind_.head_bytes(version_); }
     std::uint64_t number_at(std::size_t byte) const;
     std::uint64_t part_bytes(std::size_t part) const;

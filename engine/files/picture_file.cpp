@@ -41,13 +41,15 @@ void check_picture_path(const std::filesystem::path& path, const PictureEncoding
     check_image_path(path);
     const Sample sample = sample_of(path, encoding.depth_bits);
     if (!holds(path, sample)) {
-        throw core::InputError(path.string() + ": " + path.extension().string() + " files do not hold " +
-                               std::to_string(encoding.depth_bits) + "-bit pictures.");
+        throw core::InputError("%1: %2 files do not hold %3-bit pictures.", path.string(),
+                               path.extension().string(), encoding.depth_bits);
     }
     if (encoding.profile.empty() || sample == Sample::Uint8 || sample == Sample::Uint16) return;
-    throw core::InputError(path.string() + ": " +
-                           (sample == Sample::Half ? "this format holds" : "32 bits a channel hold") +
-                           " linear light, which needs no ICC profile.");
+    if (sample == Sample::Half)
+        throw core::InputError("%1: this format holds linear light, which needs no ICC profile.",
+                               path.string());
+    throw core::InputError("%1: 32 bits a channel hold linear light, which needs no ICC profile.",
+                           path.string());
 }
 
 ImageLayout picture_layout(const std::filesystem::path& path, int width, int height,

@@ -1,6 +1,5 @@
 #include "files/picture_rows.hpp"
 
-#include "core/error.hpp"
 #include "files/exr_header.hpp"
 #include "files/images_library.hpp"
 #include "files/jpeg_end.hpp"
@@ -40,7 +39,7 @@ class ModuleRows final : public PictureRows {
 
   private:
     void check(int status) const {
-        if (status != 0) throw core::InputError(name_ + error_.data() + ".");
+        if (status != 0) throw picture_error(name_, core::message("%1.", error_.data()));
     }
 
     void take(const PastosoHead& told) {
@@ -83,32 +82,38 @@ void check_before_opening(PictureFormat format, const core::RegularFile& file, c
     check_picture_size(name, static_cast<double>(size.width), static_cast<double>(size.height));
     if (format == PictureFormat::OpenExr) check_exr_header(file, name);
     if (format == PictureFormat::Jpeg && !jpeg_has_end(file))
-        throw core::InputError(name + "is cut off: the end of the JPEG picture is missing.");
+        throw picture_error(name, core::message("is cut off: the end of the JPEG picture is missing."));
     if (format == PictureFormat::WebP && file.bytes() > kMostWebpBytes) {
-        throw core::InputError(name + "is larger than the " + std::to_string(kMostWebpBytes) +
-                               " bytes that are read of a WebP picture at most.");
+        throw picture_error(
+            name, core::message("is larger than the %1 bytes that are read of a WebP picture at most.",
+                                kMostWebpBytes));
     }
 }
 
 }  // namespace
 
+core::InputError picture_error(const std::string& name, const core::Message& predicate) {
+    if (name.empty()) return core::InputError("the picture %1", predicate);
+    return core::InputError("%1: %2", name, predicate);
+}
+
 void check_picture_size(const std::string& name, double width, double height) {
     if (width <= kMaxPictureSide_px && height <= kMaxPictureSide_px &&
         width * height <= kMaxPicturePixels)
         return;
-    throw core::InputError(name + "has " + std::to_string(static_cast<std::int64_t>(width)) + " x " +
-                           std::to_string(static_cast<std::int64_t>(height)) +
-                           " pixels, but at most 32768 a side and 100 million in all are read.");
+    throw picture_error(
+        name,
+        core::message("has %1 x %2 pixels, but at most 32768 a side and 100 million in all are read.",
+                      static_cast<std::int64_t>(width), static_cast<std::int64_t>(height)));
 }
 
 std::unique_ptr<PictureRows> open_picture(const std::filesystem::path& path) {
     auto file = std::make_shared<core::RegularFile>(path);
-    const std::string name = path.string() + ": ";
+    const std::string name = path.string();
     const PictureFormat format = picture_format(file->text_at(0, kPictureHeadBytes));
-    if (format == PictureFormat::None) {
-        throw core::InputError(name + "is not an image that can be read (it is none of " +
-                               kPictureFormats + ").");
-    }
+    if (format == PictureFormat::None)
+        throw picture_error(name, core::message("is not an image that can be read (it is none of %1).",
+                                                kPictureFormats));
     if (format == PictureFormat::Png) return png_file_rows(std::move(file), name);
     check_before_opening(format, *file, name);
     return std::make_unique<ModuleRows>(format, *file, name);

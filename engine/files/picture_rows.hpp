@@ -1,6 +1,7 @@
 // A picture file that is read a few rows at a time, so that no more of it than that must be held.
 #pragma once
 
+#include "core/error.hpp"
 #include "core/regular_file.hpp"
 #include "files/colour_profile.hpp"
 
@@ -50,7 +51,10 @@ class PictureRows {
 /// values; before room is made for any of them.
 std::unique_ptr<PictureRows> open_picture(const std::filesystem::path& path);
 
-/// Throws InputError "NAMEhas W x H pixels, ..." for more pixels than that. A side of 0 passes.
+/// "NAME: PREDICATE"; without a name, "the picture PREDICATE", as of one in memory.
+core::InputError picture_error(const std::string& name, const core::Message& predicate);
+
+/// Throws picture_error() "has W x H pixels, ..." for more pixels than that. A side of 0 passes.
 void check_picture_size(const std::string& name, double width, double height);
 
 }  // namespace pastoso::files

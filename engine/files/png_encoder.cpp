@@ -19,7 +19,7 @@ namespace pastoso::files {
 
 /// What the functions that libpng calls know.
 struct PngEncoder::Talk {
-    std::string name;
+    core::Message name;
     ByteSink sink;
     std::uint64_t place = 0;  ///< of the next byte
     std::array<char, 256> complaint{};
@@ -89,7 +89,7 @@ void set_place_and_meaning(png_structp png, png_infop info, const PastosoPicture
 
 }  // namespace
 
-PngEncoder::PngEncoder(std::string name, const PastosoPicture& picture, ByteSink sink)
+PngEncoder::PngEncoder(core::Message name, const PastosoPicture& picture, ByteSink sink)
     : talk_(std::make_unique<Talk>()),
       row_bytes_(std::size_t{1} * static_cast<unsigned>(picture.width) *
                  static_cast<unsigned>(picture.channels * bits_of(picture) / 8)) {
@@ -119,7 +119,7 @@ void PngEncoder::attempt(Work&& work) {
         return;
     }
     if (talk_->failure) std::rethrow_exception(std::exchange(talk_->failure, nullptr));
-    throw core::InputError(talk_->name + "cannot be written (" + talk_->complaint.data() + ").");
+    throw core::InputError("%1: cannot be written (%2).", talk_->name, talk_->complaint.data());
 }
 
 void PngEncoder::write_head(const PastosoPicture& picture) {

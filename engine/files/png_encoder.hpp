@@ -1,6 +1,7 @@
 // PNG files written through libpng, which is there at once: OpenImageIO loads hundreds of libraries.
 #pragma once
 
+#include "core/message.hpp"
 #include "files/images_abi.hpp"
 #include "files/new_head.hpp"
 
@@ -16,9 +17,9 @@ namespace pastoso::files {
 class PngEncoder {
   public:
     /// Of one to four channels of 8 or 16 bits: grey or colours, the last of two or four being alpha,
-    /// not multiplied. `name` begins every sentence: "a.png: ". Throws InputError when libpng refuses
-    /// the picture; what `sink` throws is passed on.
-    PngEncoder(std::string name, const PastosoPicture& picture, ByteSink sink);
+    /// not multiplied. `name` stands for the picture in errors. Throws InputError when libpng refuses
+    /// it; what `sink` throws is passed on.
+    PngEncoder(core::Message name, const PastosoPicture& picture, ByteSink sink);
     ~PngEncoder();
     PngEncoder(const PngEncoder&) = delete;
     PngEncoder& operator=(const PngEncoder&) = delete;

@@ -1,6 +1,5 @@
 #include "files/png_rows.hpp"
 
-#include "core/error.hpp"
 #include "files/exif_orientation.hpp"
 
 #include <array>
@@ -23,6 +22,12 @@ struct Talk {
     NextBytes source;
     std::array<char, 256> complaint{};
     bool complains_of_profile = false;
+    bool ends_early = false;
+
+    core::Message reason() const {
+        if (ends_early) return core::message("its end is missing");
+        return core::Message::verbatim(complaint.data());
+    }
 };
 
 Talk& talk_of(png_structp png) {
@@ -49,7 +54,9 @@ std::size_t taken(Talk& talk, void* to, std::size_t count) noexcept {
 }
 
 void give(png_structp png, png_bytep to, std::size_t count) {
-    if (taken(talk_of(png), to, count) != count) png_error(png, "its end is missing");
+    Talk& talk = talk_of(png);
+    talk.ends_early = taken(talk, to, count) != count;
+    if (talk.ends_early) png_error(png, "its end is missing");
 }
 
 /// A PNG file that libpng reads.
@@ -76,12 +83,12 @@ class PngRows final : public PictureRows {
     /// Calls work(), which libpng leaves with a jump where something is wrong: it may hold nothing that
     /// must be freed.
     template <class Work>
-    void attempt(const char* failure, Work&& work) {
+    void attempt(core::Pattern<0> failure, Work&& work) {
         if (setjmp(png_jmpbuf(png_)) == 0) {
             work();
             return;
         }
-        throw core::InputError(name_ + failure + " (" + talk_.complaint.data() + ").");
+        throw picture_error(name_, core::message("%1 (%2).", core::message(failure), talk_.reason()));
     }
 
     void tell_meaning();
@@ -101,7 +108,7 @@ class PngRows final : public PictureRows {
 };
 
 void PngRows::open() {
-    attempt("is no PNG picture", [this] {
+    attempt(core::Pattern<0>("is no PNG picture"), [this] {
         png_set_read_fn(png_, &talk_, give);
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
         png_set_chunk_malloc_max(png_, kMaxChunkBytes);
@@ -111,7 +118,7 @@ void PngRows::open() {
         png_read_info(png_, info_);
     });
     check_picture_size(name_, png_get_image_width(png_, info_), png_get_image_height(png_, info_));
-    attempt("is no PNG picture", [this] {
+    attempt(core::Pattern<0>("is no PNG picture"), [this] {
         png_set_expand(png_);  // palettes, less than eight bits, a colour that stands for transparency
         png_set_interlace_handling(png_);
         png_read_update_info(png_, info_);
@@ -157,7 +164,7 @@ void PngRows::tell_place() {
 
 /// Interlaced rows are whole after the last pass only.
 void PngRows::read_all() {
-    attempt("cannot be read to its end", [this] {
+    attempt(core::Pattern<0>("cannot be read to its end"), [this] {
         for (int pass = png_set_interlace_handling(png_); pass > 0; --pass)
             for (int y = 0; y < head_.height; ++y)
                 png_read_row(png_, &stored_[row_bytes_ * static_cast<std::size_t>(y)], nullptr);
@@ -177,14 +184,14 @@ void PngRows::read(int count, float* rows) {
     for (int y = 0; y < count; ++y, ++next_row_) {
         const std::size_t place = is_interlaced_ ? row_bytes_ * static_cast<std::size_t>(next_row_) : 0;
         if (!is_interlaced_)
-            attempt("cannot be read to its end",
+            attempt(core::Pattern<0>("cannot be read to its end"),
                     [this] { png_read_row(png_, stored_.data(), nullptr); });
         widen(&stored_[place], rows + values * static_cast<std::size_t>(y));
     }
 }
 
 void PngRows::finish() {
-    attempt("cannot be read to its end", [this] { png_read_end(png_, nullptr); });
+    attempt(core::Pattern<0>("cannot be read to its end"), [this] { png_read_end(png_, nullptr); });
 }
 
 }  // namespace

@@ -162,9 +162,8 @@ std::string merged_section(const pigment::Image8& merged) {
 
 void check_sides(const pigment::Image8& picture, const core::OutputFile& file) {
     if (std::max(picture.width, picture.height) > kLongestPsd_px)
-        throw core::InputError(file.path().string() + ": " + std::to_string(picture.width) + " x " +
-                               std::to_string(picture.height) + " pixels are more than the " +
-                               std::to_string(kLongestPsd_px) + " a side that a PSD file holds.");
+        throw core::InputError("%1: %2 x %3 pixels are more than the %4 a side that a PSD file holds.",
+                               file.path().string(), picture.width, picture.height, kLongestPsd_px);
 }
 
 }  // namespace
@@ -209,8 +208,8 @@ void write_psd(const PsdPicture& picture, core::OutputFile& file) {
     const std::string layers = layer_section(picture.layers);
     const std::string merged = merged_section(picture.merged);
     if (head.size() + resources.size() + layers.size() + merged.size() > kLargestFile)
-        throw core::InputError(file.path().string() +
-                               ": a PSD file of these layers would be larger than 2 GB.");
+        throw core::InputError("%1: a PSD file of these layers would be larger than 2 GB.",
+                               file.path().string());
     for (const std::string& part : {head, resources, counted(layers), merged})
         file.append(part);
 }

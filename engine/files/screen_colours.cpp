@@ -170,12 +170,12 @@ IccProfile monitor_profile(IccProfile bytes, const std::string& name) {
     const Profile profile = checked_profile(workshop, bytes, name);
     const cmsColorSpaceSignature space = cmsGetColorSpace(profile.get());
     if (space != cmsSigRgbData)
-        throw core::InputError(name + ": is an ICC profile for " + text_of(space) +
-                               ", but a screen shows red, green and blue.");
+        throw core::InputError("%1: is an ICC profile for %2, but a screen shows red, green and blue.",
+                               name, text_of(space));
     const Profile source = encoded_profile(workshop, pigment::WorkingSpace::Srgb);
     if (!Way(workshop, source, profile, intent_of(profile), kBlackMatched).exists())
-        throw core::InputError(name + ": is an ICC profile that no colour can be shown with (" +
-                               workshop.complaint() + ").");
+        throw core::InputError("%1: is an ICC profile that no colour can be shown with (%2).", name,
+                               workshop.complaint());
     return bytes;
 }
 
@@ -186,8 +186,8 @@ IccProfile read_printer_profile(const std::filesystem::path& path) {
     const Profile screen = encoded_profile(workshop, pigment::WorkingSpace::Srgb);
     const bool prints = Way(workshop, screen, profile, intent_of(profile), kBlackMatched).exists();
     if (!prints || !seen_on(workshop, profile, screen).exists())
-        throw core::InputError(path.string() + ": is an ICC profile that no print can be shown with (" +
-                               workshop.complaint() + ").");
+        throw core::InputError("%1: is an ICC profile that no print can be shown with (%2).",
+                               path.string(), workshop.complaint());
     return bytes;
 }
 

@@ -38,13 +38,13 @@ float TextLines::number() {
     double value = 0.0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || end != digits.data() + digits.size())
-        fail(quoted(written) + " is no number.");
+        fail("%1 is no number.", quoted(written));
     const auto number = static_cast<float>(value);
-    if (!std::isfinite(number)) fail(quoted(written) + " is not finite in single precision.");
+    if (!std::isfinite(number)) fail("%1 is not finite in single precision.", quoted(written));
     return number;
 }
 
-void TextLines::fail(const std::string& message) const {
+void TextLines::fail(const core::Message& message) const {
     throw core::located_error(*file_, line_number_, message);
 }
 

@@ -1,6 +1,8 @@
 // A text that is read line by line and word by word, where every complaint names its line.
 #pragma once
 
+#include "core/message.hpp"
+
 #include <string>
 #include <string_view>
 
@@ -21,7 +23,12 @@ class TextLines {
     float number();
 
     /// Throws InputError "FILE, line N: MESSAGE".
-    [[noreturn]] void fail(const std::string& message) const;
+    [[noreturn]] void fail(const core::Message& message) const;
+    template <class... Arguments>
+    [[noreturn]] void fail(core::Pattern<sizeof...(Arguments)> pattern,
+                           const Arguments&... arguments) const {
+        fail(core::message(pattern, arguments...));
+    }
 
   private:
     std::string_view rest_, line_;

@@ -77,12 +77,12 @@ void ignore_broken_pipes() {
     ::signal(SIGPIPE, SIG_IGN);
 }
 
+/// Empty where nothing is printed.
 std::string first_line(int file) {
     std::string text(512, '\0');
     const ssize_t count = ::pread(file, text.data(), text.size(), 0);
     text.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
-    const std::string line = text.substr(0, text.find('\n'));
-    return line.empty() ? "no reason given" : line;
+    return text.substr(0, text.find('\n'));
 }
 
 /// ffmpeg knows the part file alone, of which nobody has heard.
@@ -116,9 +116,10 @@ Path find_program(const std::string& name) {
 
 void check_video_path(const Path& path) {
     if (find_program("ffmpeg").empty()) {
-        throw core::InputError(path.string() +
-                               ": a video is made by the program ffmpeg, which is not installed; a "
-                               "folder's name instead gives numbered pictures.");
+        throw core::InputError(
+            "%1: a video is made by the program ffmpeg, which is not installed; a folder's name instead "
+            "gives numbered pictures.",
+            path.string());
     }
     check_writable(path);
 }
@@ -142,7 +143,7 @@ VideoWriter::VideoWriter(const core::OutputFile& file, int width, int height, do
     if (process_ > 0) return;
     if (pipe_ >= 0) ::close(pipe_);
     if (complaints_ >= 0) ::close(complaints_);
-    throw core::InputError(path_.string() + ": ffmpeg cannot be started (" + std::strerror(reason) + ").");
+    throw core::InputError("%1: ffmpeg cannot be started (%2).", path_.string(), std::strerror(reason));
 }
 
 VideoWriter::~VideoWriter() {
@@ -164,8 +165,10 @@ int VideoWriter::wait() {
 
 void VideoWriter::fail() {
     wait();
-    throw core::InputError(path_.string() + ": ffmpeg cannot make the video (" +
-                           with_name(first_line(complaints_), part_, path_) + ").");
+    const std::string reason = with_name(first_line(complaints_), part_, path_);
+    throw core::InputError(
+        "%1: ffmpeg cannot make the video (%2).", path_.string(),
+        reason.empty() ? core::message("no reason given") : core::Message::verbatim(reason));
 }
 
 void VideoWriter::write(const pigment::Image8& frame) {

@@ -18,8 +18,8 @@ std::vector<MediaFamily> read_families() {
     for (std::size_t i = 0; i < media.size(); ++i) {
         const std::string name = json[i].value("family", "");
         if (name.empty())
-            throw core::InputError(path.string() + " (\"" + media[i].name +
-                                   "\"): the field \"family\" is missing.");
+            throw core::InputError("%1 (\"%2\"): the field \"family\" is missing.", path.string(),
+                                   media[i].name);
         if (families.empty() || families.back().name != name) families.push_back({name, {}});
         families.back().media.push_back(media[i]);
     }

@@ -42,12 +42,12 @@ std::string number_text(double value) {
 /// Reads the fields of one entry; `place` says in errors which entry it is.
 class EntryReader {
   public:
-    EntryReader(const Json& entry, std::string place) : entry_(entry), place_(std::move(place)) {}
+    EntryReader(const Json& entry, core::Message place) : entry_(entry), place_(std::move(place)) {}
 
     std::string text(const char* key) const {
         const Json& value = field(key);
         if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
-            fail(std::string(key) + " is " + value.dump() + ", it must be a text.");
+            fail("%1 is %2, it must be a text.", key, value.dump());
         }
         return value.get<std::string>();
     }
@@ -56,8 +56,8 @@ class EntryReader {
         const Json& value = field(wanted.key);
         if (!value.is_number() || value.get<double>() < wanted.least ||
             value.get<double>() > wanted.most) {
-            fail(std::string(wanted.key) + " is " + value.dump() + ", it must be a number from " +
-                 number_text(wanted.least) + " to " + number_text(wanted.most) + ".");
+            fail("%1 is %2, it must be a number from %3 to %4.", wanted.key, value.dump(),
+                 number_text(wanted.least), number_text(wanted.most));
         }
         return value.get<double>();
     }
@@ -70,31 +70,33 @@ class EntryReader {
                 key == "name" || key == "family" || key == "description" || key == "thinned_with" ||
                 std::any_of(kNumbers.begin(), kNumbers.end(),
                             [&name = key](const MediumNumber& field) { return name == field.key; });
-            if (!known) fail("there is no field " + Json(key).dump() + ".");
+            if (!known) fail("there is no field %1.", Json(key).dump());
         }
     }
 
-    [[noreturn]] void fail(const std::string& message) const {
-        throw core::InputError(place_ + ": " + message);
+    template <class... Arguments>
+    [[noreturn]] void fail(core::Pattern<sizeof...(Arguments)> pattern,
+                           const Arguments&... arguments) const {
+        throw core::InputError("%1: %2", place_, core::message(pattern, arguments...));
     }
 
   private:
     const Json& field(const char* key) const {
         const auto found = entry_.find(key);
-        if (found == entry_.end()) fail("the field \"" + std::string(key) + "\" is missing.");
+        if (found == entry_.end()) fail("the field \"%1\" is missing.", key);
         return *found;
     }
 
     const Json& entry_;
-    std::string place_;
+    core::Message place_;
 };
 
-Medium read_medium(const Json& entry, const std::string& place) {
-    if (!entry.is_object()) throw core::InputError(place + ": is not an object in braces.");
+Medium read_medium(const Json& entry, const core::Message& place) {
+    if (!entry.is_object()) throw core::InputError("%1: is not an object in braces.", place);
     const EntryReader reader(entry, place);
     Medium medium;
     medium.name = reader.text("name");
-    const EntryReader named(entry, place + " (\"" + medium.name + "\")");
+    const EntryReader named(entry, core::message("%1 (\"%2\")", place, medium.name));
     medium.description = named.text("description");
     for (const MediumNumber& field : kNumbers)
         if (!field.optional || named.has(field.key)) medium.*field.member = named.number(field);
@@ -102,18 +104,16 @@ Medium read_medium(const Json& entry, const std::string& place) {
     if (named.has("family")) named.text("family");
     named.refuse_unknown_fields();
     if (medium.receding_angle_deg > medium.advancing_angle_deg) {
-        named.fail("receding_angle_deg is " + number_text(medium.receding_angle_deg) +
-                   ", it must not be larger than advancing_angle_deg, " +
-                   number_text(medium.advancing_angle_deg) + ".");
+        named.fail("receding_angle_deg is %1, it must not be larger than advancing_angle_deg, %2.",
+                   number_text(medium.receding_angle_deg), number_text(medium.advancing_angle_deg));
     }
     if (medium.alpha_min > medium.alpha_max) {
-        named.fail("alpha_min is " + number_text(medium.alpha_min) +
-                   ", it must not be larger than alpha_max, " + number_text(medium.alpha_max) + ".");
+        named.fail("alpha_min is %1, it must not be larger than alpha_max, %2.",
+                   number_text(medium.alpha_min), number_text(medium.alpha_max));
     }
     if (medium.touch_dry_s > kSlowestDrying_s_mm * medium.typical_thickness_mm) {
-        named.fail("touch_dry_s is " + number_text(medium.touch_dry_s) +
-                   ", it must not be larger than typical_thickness_mm times " +
-                   number_text(kSlowestDrying_s_mm) + ".");
+        named.fail("touch_dry_s is %1, it must not be larger than typical_thickness_mm times %2.",
+                   number_text(medium.touch_dry_s), number_text(kSlowestDrying_s_mm));
     }
     return medium;
 }
@@ -125,39 +125,40 @@ void check_thinners(const std::vector<Medium>& media, const std::string& name) {
             return other.name == medium.thinned_with && other.name != medium.name;
         };
         if (medium.thinned_with.empty() || std::any_of(media.begin(), media.end(), thins)) continue;
-        throw core::InputError(name + " (\"" + medium.name + "\"): thinned_with is \"" +
-                               medium.thinned_with + "\", it must be the name of another medium here.");
+        throw core::InputError(
+            "%1 (\"%2\"): thinned_with is \"%3\", it must be the name of another medium here.", name,
+            medium.name, medium.thinned_with);
     }
 }
 
-Json parse_json(std::string_view text, const std::string& name) {
+Json parse_json(std::string_view text, const core::Message& name) {
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         const long line = 1 + std::count(text.begin(), end, '\n');
-        throw core::located_error(name, line, "this is not JSON, or it is cut off here.");
+        throw core::InputError("%1, line %2: this is not JSON, or it is cut off here.", name, line);
     } catch (const Json::out_of_range&) {
-        throw core::InputError(name + ": holds a number that is too large.");
+        throw core::InputError("%1: holds a number that is too large.", name);
     }
 }
 
 }  // namespace
 
 std::vector<Medium> parse_media(std::string_view json_text, const std::string& name) {
-    const Json json = parse_json(json_text, name);
-    if (!json.is_array()) throw core::InputError(name + ": is not a list of media in square brackets.");
+    const Json json = parse_json(json_text, core::Message::verbatim(name));
+    if (!json.is_array()) throw core::InputError("%1: is not a list of media in square brackets.", name);
     std::vector<Medium> media;
     for (const Json& entry : json) {
-        media.push_back(read_medium(entry, name + ", entry " + std::to_string(media.size() + 1)));
+        media.push_back(read_medium(entry, core::message("%1, entry %2", name, media.size() + 1)));
     }
     check_thinners(media, name);
     return media;
 }
 
-Medium parse_medium(std::string_view json_object, const std::string& place, const Medium& otherwise) {
+Medium parse_medium(std::string_view json_object, const core::Message& place, const Medium& otherwise) {
     const Json given = parse_json(json_object, place);
-    if (!given.is_object()) throw core::InputError(place + ": is not an object in braces.");
+    if (!given.is_object()) throw core::InputError("%1: is not an object in braces.", place);
     Json entry = {{"name", otherwise.name.empty() ? "by numbers" : otherwise.name},
                   {"description",
                    otherwise.description.empty() ? "Given by its numbers." : otherwise.description}};
@@ -179,7 +180,7 @@ std::string numbers_to_json(const Medium& medium) {
     return numbers.dump();
 }
 
-void check_numbers(const Medium& medium, const std::string& place) {
+void check_numbers(const Medium& medium, const core::Message& place) {
     parse_medium(numbers_to_json(medium), place, medium);
 }
 
@@ -197,8 +198,7 @@ const Medium& find_medium(std::string_view name) {
         if (core::lower_case(medium.name) == core::lower_case(name)) return medium;
         names += (names.empty() ? "" : ", ") + medium.name;
     }
-    throw core::InputError("There is no medium \"" + std::string(name) + "\"; the media are: " + names +
-                           ".");
+    throw core::InputError("There is no medium \"%1\"; the media are: %2.", name, names);
 }
 
 }  // namespace pastoso::film

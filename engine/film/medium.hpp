@@ -2,6 +2,8 @@
 // program.
 #pragma once
 
+#include "core/message.hpp"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,13 +67,13 @@ std::vector<Medium> parse_media(std::string_view json_text, const std::string& n
 
 /// One medium from a JSON object with any of the number fields of such an entry; those left out are as
 /// in `otherwise`. Throws InputError "PLACE ...: " that names the field and the value.
-Medium parse_medium(std::string_view json_object, const std::string& place, const Medium& otherwise);
+Medium parse_medium(std::string_view json_object, const core::Message& place, const Medium& otherwise);
 
 /// All numbers of a medium as a JSON object, exactly as parse_medium() reads them.
 std::string numbers_to_json(const Medium& medium);
 
 /// Throws InputError "PLACE ...: " that names the field and the value of a number out of its range.
-void check_numbers(const Medium& medium, const std::string& place);
+void check_numbers(const Medium& medium, const core::Message& place);
 
 /// The media that come with the program, in the order of the file.
 const std::vector<Medium>& bundled_media();

@@ -22,7 +22,8 @@ CheckpointWriter::CheckpointWriter(std::filesystem::path folder, Written written
     : folder_(std::move(folder)),
       written_(std::move(written)),
       worker_([this](Job& job) { write_file(job); },
-              [this](Job& job, const std::string& fault) { written_(job.checkpoint, fault); }, kNice) {}
+              [this](Job& job, const core::Message& fault) { written_(job.checkpoint, fault); }, kNice) {
+}
 
 void CheckpointWriter::write(document::PaintingState state, std::uint64_t events) {
     PASTOSO_CHECK(!busy());

@@ -16,7 +16,7 @@ namespace pastoso::journal {
 class CheckpointWriter {
   public:
     /// Called on the writer's thread when a checkpoint is whole on the disk, or with what went wrong.
-    using Written = std::function<void(const Checkpoint& checkpoint, const std::string& error)>;
+    using Written = std::function<void(const Checkpoint& checkpoint, const core::Message& error)>;
 
     CheckpointWriter(std::filesystem::path folder, Written written);
     /// What is being written becomes whole.

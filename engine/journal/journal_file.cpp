@@ -42,8 +42,9 @@ Header read_header(const JsonPlace& root) {
     if (root.entry("format").text() != kFormat) root.fail("this is no journal of a painting.");
     const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
     if (version > kJournalFormatVersion) {
-        root.fail("this was written by a newer Pastoso (journal format " + std::to_string(version) +
-                  "; this program reads up to " + std::to_string(kJournalFormatVersion) + ").");
+        root.fail(
+            "this was written by a newer Pastoso (journal format %1; this program reads up to %2).",
+            version, kJournalFormatVersion);
     }
     root.allow_only(
         {"format", "version", "program", "painting", "start", "start_tick", "start_is_saved"});
@@ -71,11 +72,11 @@ Saved read_saved(const JsonPlace& root) {
 
 Run read_batch(const Frame& frame, const std::string& place) {
     BatchHead head{};
-    if (frame.content.size() < sizeof head) throw core::InputError(place + ": a batch is too short.");
+    if (frame.content.size() < sizeof head) throw core::InputError("%1: a batch is too short.", place);
     std::memcpy(&head, frame.content.data(), sizeof head);
     if (head.first_event > static_cast<std::uint64_t>(kMostCounted) || head.first_tick < 0 ||
         head.first_tick > kMostCounted)
-        throw core::InputError(place + ": a batch begins at an action or tick that cannot be.");
+        throw core::InputError("%1: a batch begins at an action or tick that cannot be.", place);
     Run batch{head.first_event,
               recordings::recording_from_json(frame.content.substr(sizeof head), place,
                                               recordings::Names::MayBeUnknown),
@@ -118,7 +119,7 @@ void add_frame(const Frame& frame, const std::string& name, JournalContent& cont
             content.saved = read_saved(root);
             return;
         default:
-            root.fail("there is no kind of frame " + std::to_string(static_cast<int>(frame.kind)) + ".");
+            root.fail("there is no kind of frame %1.", static_cast<int>(frame.kind));
     }
 }
 
@@ -157,7 +158,7 @@ std::string saved_frame(const Saved& saved) {
 
 JournalContent parse_journal(std::span<const std::byte> file, const std::string& name) {
     const Frames frames = frames_of(file);
-    if (frames.whole.empty()) throw core::InputError(name + ": holds no actions of a painting.");
+    if (frames.whole.empty()) throw core::InputError("%1: holds no actions of a painting.", name);
     JournalContent content;
     content.damaged_at = frames.damaged_at;
     for (const Frame& frame : frames.whole)

@@ -42,8 +42,9 @@ std::string name_of_now() {
 }
 
 [[noreturn]] void fail(const fs::path& path) {
-    throw core::InputError(path.string() + ": cannot be written (" + std::strerror(errno) +
-                           "); what is painted now can be saved, but not recovered.");
+    throw core::InputError(
+        "%1: cannot be written (%2); what is painted now can be saved, but not recovered.",
+        path.string(), std::strerror(errno));
 }
 
 void make_folders(const fs::path& root) {

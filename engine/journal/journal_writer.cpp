@@ -35,8 +35,8 @@ Header header_of(const Beginning& beginning) {
             .start_is_saved = beginning.is_saved};
 }
 
-std::string refusal_of(const std::filesystem::path& path, int reason) {
-    return path.string() + ": cannot be written (" + std::strerror(reason) + ").";
+core::Message refusal_of(const std::filesystem::path& path, int reason) {
+    return core::message("%1: cannot be written (%2).", path.string(), std::strerror(reason));
 }
 
 int opened(const std::filesystem::path& path) {
@@ -92,7 +92,7 @@ JournalWriter::JournalWriter(const std::filesystem::path& root, const Beginning&
       checkpoint_at_(Clock::now()),
       tick_(beginning.tick),
       written_tick_(beginning.tick),
-      checkpoints_(claim_.folder(), [this](const Checkpoint& checkpoint, const std::string& error) {
+      checkpoints_(claim_.folder(), [this](const Checkpoint& checkpoint, const core::Message& error) {
           {
               const std::lock_guard lock(mutex_);
               if (error.empty()) pending_frames_.push_back(checkpoint_frame(checkpoint));
@@ -110,7 +110,7 @@ JournalWriter::JournalWriter(const std::filesystem::path& root, const Beginning&
         if (!append(header_frame(header_of(beginning)) + strokes_frame(0, beginning.tick, nothing)))
             throw core::InputError(refusal_of(folder() / kStrokesFile, errno));
         thread_ = core::Thread([this] { run(); },
-                               [this](const std::string& sentence) {
+                               [this](const core::Message& sentence) {
                                    const std::lock_guard lock(mutex_);
                                    note_trouble(strokes_trouble_, {.reason = sentence});
                                });

@@ -1,6 +1,7 @@
 // Keeps on the disk what is painted, as it happens.
 #pragma once
 
+#include "core/message.hpp"
 #include "core/thread.hpp"
 #include "document/events.hpp"
 #include "document/painting_state.hpp"
@@ -45,7 +46,7 @@ struct Pace {
 
 /// Why what is painted cannot be kept.
 struct Trouble {
-    std::string reason{};             ///< a sentence; empty: all is kept again
+    core::Message reason{};           ///< a sentence; empty: all is kept again
     bool disk_is_full = false;        ///< that is the reason
     bool strokes_are_kept = false;    ///< only a checkpoint is not: a recovery takes longer
     std::uint64_t waiting_bytes = 0;  ///< of strokes, that are not in the file yet

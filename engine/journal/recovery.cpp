@@ -93,23 +93,23 @@ document::Recording actions_of(const Candidate& candidate) {
 std::unique_ptr<document::Painting> painting_at(const fs::path& folder, const Candidate& candidate,
                                                 const JournalContent& content, core::ThreadPool& pool,
                                                 const core::Progress& progress,
-                                                std::vector<std::string>& notes) {
+                                                std::vector<core::Message>& notes) {
     if (candidate.file.empty()) {
         if (candidate.run == nullptr || candidate.tick != 0)
-            throw core::InputError((folder / kStrokesFile).string() +
-                                   ": does not say what was painted on.");
+            throw core::InputError("%1: does not say what was painted on.",
+                                   (folder / kStrokesFile).string());
         return recordings::make_painting(content.runs.front().recording.canvas, pool);
     }
     project::LoadedProject start = project::load_project(folder / candidate.file, pool, progress);
     if (start.painting.tick != candidate.tick)
-        throw core::InputError((folder / candidate.file).string() + ": is of another moment.");
+        throw core::InputError("%1: is of another moment.", (folder / candidate.file).string());
     notes.insert(notes.end(), start.notes.begin(), start.notes.end());
     return std::make_unique<document::Painting>(start.painting, pool);
 }
 
 /// What could be replayed, with the pen lifted; an action that does not follow ends it.
 document::Recording played(document::Painting& painting, document::Recording actions,
-                           const core::Progress& progress, std::vector<std::string>& notes) {
+                           const core::Progress& progress, std::vector<core::Message>& notes) {
     painting.keep_undo_steps(document::undo_depth(actions));
     std::size_t applied = 0;
     const std::int64_t first_tick = painting.tick();
@@ -125,8 +125,8 @@ document::Recording played(document::Painting& painting, document::Recording act
                          static_cast<double>(actions.end_tick - first_tick));
         }
     } catch (const core::InputError& error) {
-        notes.push_back("The painting is recovered up to an action that cannot be repeated: " +
-                        std::string(error.what()));
+        notes.push_back(core::message(
+            "The painting is recovered up to an action that cannot be repeated: %1", error.message()));
         actions.events.resize(applied);
     }
     if (painting.stroke_in_progress()) {
@@ -137,26 +137,27 @@ document::Recording played(document::Painting& painting, document::Recording act
     return actions;
 }
 
-std::string damaged_place(const fs::path& folder, const JournalContent& content) {
+core::Message damaged_place(const fs::path& folder, const JournalContent& content) {
     const std::string file = (folder / kStrokesFile).string();
-    return content.damaged_at ? file + ", byte " + std::to_string(*content.damaged_at) : file;
+    return content.damaged_at ? core::message("%1, byte %2", file, *content.damaged_at)
+                              : core::Message::verbatim(file);
 }
 
 /// The start may have been told of already, as a painting.
-void add_new(const std::vector<std::string>& told, std::vector<std::string>& notes) {
-    for (const std::string& note : told)
+void add_new(const std::vector<core::Message>& told, std::vector<core::Message>& notes) {
+    for (const core::Message& note : told)
         if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
 }
 
 /// All strokes since the canvas was bare, if there is no gap among them.
 std::optional<document::Recording> strokes_before(const fs::path& folder, const Candidate& candidate,
                                                   const JournalContent& content,
-                                                  std::vector<std::string>& notes) {
+                                                  std::vector<core::Message>& notes) {
     const Run* run = run_from(content, 0);
     if (!content.header || run == nullptr || run->end_event() < candidate.events) return std::nullopt;
     document::Recording strokes{run->recording.canvas, {}, 0};
     if (!content.header->start.empty()) {
-        std::vector<std::string> told;
+        std::vector<core::Message> told;
         strokes = project::load_strokes(folder / content.header->start, told);
         add_new(told, notes);
     }
@@ -173,7 +174,7 @@ void add_strokes(const fs::path& folder, const Candidate& candidate, const Journ
     try {
         before = strokes_before(folder, candidate, content, recovered.notes);
     } catch (const core::InputError& error) {
-        recovered.notes.emplace_back(error.what());
+        recovered.notes.push_back(error.message());
     }
     if (before) {
         recovered.strokes = std::move(*before);
@@ -181,28 +182,31 @@ void add_strokes(const fs::path& folder, const Candidate& candidate, const Journ
                                         played.events.end());
     } else {
         recovered.strokes.canvas = recovered.painting.value.bare->settings;
-        recovered.notes.push_back(damaged_place(folder, content) +
-                                  ": is damaged; the painting is there, but some of its strokes are "
-                                  "missing, so that they cannot be replayed.");
+        recovered.notes.push_back(core::message(
+            "%1: is damaged; the painting is there, but some of its strokes are missing, so "
+            "that they cannot be replayed.",
+            damaged_place(folder, content)));
     }
     recovered.strokes.end_tick = played.end_tick;
 }
 
-void tell_arithmetic(const Candidate& candidate, std::vector<std::string>& notes) {
+void tell_arithmetic(const Candidate& candidate, std::vector<core::Message>& notes) {
     if (candidate.run == nullptr || candidate.end_event == candidate.events) return;
-    const std::string older = document::arithmetic_note(candidate.run->recording.arithmetic);
-    if (!older.empty()) notes.push_back("The latest strokes " + older);
+    const core::Message older = document::arithmetic_note(candidate.run->recording.arithmetic);
+    if (!older.empty()) notes.push_back(core::message("The latest strokes %1", older));
 }
 
 void tell_losses(const fs::path& folder, const Candidate& candidate, const JournalContent& content,
-                 std::vector<std::string>& notes) {
+                 std::vector<core::Message>& notes) {
     std::uint64_t end = candidate.end_event;
     for (const Run& run : content.runs)
         end = std::max(end, run.end_event());
     if (end == candidate.end_event) return;
     const std::uint64_t lost = end - candidate.end_event;
-    notes.push_back(damaged_place(folder, content) + ": is damaged; " + std::to_string(lost) +
-                    (lost == 1 ? " action after it is lost." : " actions after it are lost."));
+    const core::Message place = damaged_place(folder, content);
+    notes.push_back(lost == 1
+                        ? core::message("%1: is damaged; 1 action after it is lost.", place)
+                        : core::message("%1: is damaged; %2 actions after it are lost.", place, lost));
 }
 
 /// The one that the painter saved it to or opened.
@@ -270,7 +274,7 @@ Unfinished described(const fs::path& folder) {
         }
         painting.thumbnail = thumbnail_in(folder, content);
     } catch (const core::InputError& error) {
-        painting.fault = error.what();
+        painting.fault = error.message();
     }
     return painting;
 }
@@ -292,7 +296,7 @@ std::vector<Unfinished> unfinished_paintings(const fs::path& root) {
 
 Recovered recover(const fs::path& folder, core::ThreadPool& pool, const core::Progress& progress) {
     const JournalContent content = read_journal(folder);
-    std::vector<std::string> faults;
+    std::vector<core::Message> faults;
     for (const Candidate& candidate : candidates(content)) {
         if (!candidate.file.empty() && !core::is_there(folder / candidate.file)) continue;
         try {
@@ -300,11 +304,11 @@ Recovered recover(const fs::path& folder, core::ThreadPool& pool, const core::Pr
             recovered.notes.insert(recovered.notes.begin(), faults.begin(), faults.end());
             return recovered;
         } catch (const core::InputError& error) {
-            faults.emplace_back(error.what());
+            faults.push_back(error.message());
         }
     }
     if (!faults.empty()) throw core::InputError(faults.front());
-    throw core::InputError((folder / kStrokesFile).string() + ": does not say what was painted on.");
+    throw core::InputError("%1: does not say what was painted on.", (folder / kStrokesFile).string());
 }
 
 std::string recovered_thumbnail(const fs::path& folder, core::ThreadPool& pool,

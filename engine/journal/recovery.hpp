@@ -1,6 +1,7 @@
 // Paintings that a program left unfinished, however it ended.
 #pragma once
 
+#include "core/message.hpp"
 #include "core/thread_pool.hpp"
 #include "journal/journal_file.hpp"
 #include "journal/journal_folder.hpp"
@@ -24,7 +25,7 @@ struct Unfinished {
     std::int64_t tick = 0;
     bool damaged = false;
     std::string thumbnail{};  ///< a PNG file of a moment before; empty where there is none
-    std::string fault{};      ///< why it cannot be read; all but the folder and the time is empty then
+    core::Message fault{};    ///< why it cannot be read; all but the folder and the time is empty then
 };
 
 /// The journals in `root` that no program holds and that have something to recover, the latest first.
@@ -36,8 +37,8 @@ std::string recovered_thumbnail(const std::filesystem::path& folder, core::Threa
                                 const core::Progress& progress = {});
 
 struct Recovered : project::Project {
-    std::string file{};                ///< path of its project file, empty for a painting that has none
-    std::vector<std::string> notes{};  ///< what is missing, in sentences
+    std::string file{};                  ///< path of its project file, empty for a painting without one
+    std::vector<core::Message> notes{};  ///< what is missing, in sentences
 };
 
 /// The painting as it was when its journal ends; a stroke in progress ends there. Begins at the latest

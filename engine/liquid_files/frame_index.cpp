@@ -64,7 +64,7 @@ FrameIndex read_frame_index(const std::filesystem::path& folder, const FrameInde
     const files::Json json = files::parse_json(core::read_text_file(file, kMostIndexBytes), file);
     const files::JsonPlace place(json, file);
     if (place.entry("format").text() != kind.format)
-        place.entry("format").fail(std::string("expected \"") + kind.format + "\".");
+        place.entry("format").fail("expected \"%1\".", kind.format);
     place.entry("version").integer(kVersion, kVersion);
     place.allow_only({"format", "version", "scene_hash", "fps", "count", "scene"});
     FrameIndex index;
@@ -82,8 +82,8 @@ FrameIndex keep_frame_index(const std::filesystem::path& folder, const FrameInde
     if (core::is_there(folder / kind.file)) {
         const FrameIndex there = read_frame_index(folder, kind);
         if (there.scene_hash != index.scene_hash || there.fps != index.fps)
-            throw core::InputError(folder.string() + ": keeps frames of " + kind.other +
-                                   "; choose another folder.");
+            throw core::InputError("%1: keeps frames of %2; choose another folder.", folder.string(),
+                                   core::message(kind.other));
         index.count = std::max(index.count, there.count);
     }
     write_frame_index(folder, kind, index);

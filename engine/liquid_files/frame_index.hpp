@@ -1,6 +1,8 @@
 // What the frames of a folder have in common, as a JSON file beside them (docs/tea-cache.md).
 #pragma once
 
+#include "core/message.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -22,7 +24,7 @@ FrameIndex index_of(std::string scene, double fps, int count);
 struct FrameIndexKind {
     const char* file;    ///< its name in the folder
     const char* format;  ///< as the file has it
-    const char* other;   ///< "other tea"
+    core::Pattern<0> other;  ///< "other tea"
 };
 
 /// Writes the index aside into a folder, which is made if need be. Throws InputError when that fails.

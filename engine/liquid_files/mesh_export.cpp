@@ -39,12 +39,12 @@ class MeshSource : public files::TriangleSource {
 };
 
 void check_finite(const std::filesystem::path& path, const std::vector<glm::vec3>& vectors,
-                  const char* name) {
+                  const core::Message& name) {
     for (std::size_t i = 0; i < vectors.size(); ++i) {
         if (std::isfinite(vectors[i].x) && std::isfinite(vectors[i].y) && std::isfinite(vectors[i].z))
             continue;
-        throw core::InputError(path.string() + ": the " + name + " of vertex " + std::to_string(i) +
-                               " is not finite; nothing was written.");
+        throw core::InputError("%1: the %2 of vertex %3 is not finite; nothing was written.",
+                               path.string(), name, i);
     }
 }
 
@@ -69,12 +69,12 @@ files::ExportStatus export_mesh(const std::filesystem::path& path, const Triangl
                                 const MeshExportOptions& options, const files::KeepGoing& keep_going) {
     if (!is_mesh_path(path)) {
         throw core::InputError(
-            path.string() +
-            ": a surface is saved as .obj, .ply, .stl or .pbrt; this name ends otherwise.");
+            "%1: a surface is saved as .obj, .ply, .stl or .pbrt; this name ends otherwise.",
+            path.string());
     }
     check_whole(mesh);
-    check_finite(path, mesh.positions_m, "position");
-    check_finite(path, mesh.normals, "normal");
+    check_finite(path, mesh.positions_m, core::message("position"));
+    check_finite(path, mesh.normals, core::message("normal"));
     if (is_pbrt(path)) return write_pbrt_shape(path, mesh, options.what, options.syntax, keep_going);
     return files::write_triangles(path, MeshSource(mesh, options.what), files::ObjUp::Y, keep_going);
 }

@@ -25,8 +25,8 @@ const Format* format_of(const std::filesystem::path& path) {
 liquid::TriangleMesh import_mesh(const std::filesystem::path& path) {
     const Format* format = format_of(path);
     if (format == nullptr) {
-        throw core::InputError(path.string() +
-                               ": a mesh is read from .obj or .stl; this name ends otherwise.");
+        throw core::InputError("%1: a mesh is read from .obj or .stl; this name ends otherwise.",
+                               path.string());
     }
     return format->read(core::read_text_file(path), path.string());
 }

@@ -37,8 +37,7 @@ class ObjReader {
     };
 
     void add_vector(std::vector<glm::vec3>& vectors, std::size_t most) {
-        if (vectors.size() >= most)
-            lines_.fail("there are more than " + std::to_string(most) + " vertices.");
+        if (vectors.size() >= most) lines_.fail("there are more than %1 vertices.", most);
         const float x = lines_.number(), y = lines_.number(), z = lines_.number();
         vectors.emplace_back(x, -z, y);
     }
@@ -54,8 +53,7 @@ class ObjReader {
             add_triangle(triangle);
             triangle[1] = triangle[2];
         }
-        if (corners < 3)
-            lines_.fail("a face has " + std::to_string(corners) + " corners, not three or more.");
+        if (corners < 3) lines_.fail("a face has %1 corners, not three or more.", corners);
     }
 
     /// What is no more than a line, as a corner that is named twice makes it, is left out.
@@ -63,7 +61,7 @@ class ObjReader {
         const auto& [a, b, c] = triangle;
         if (a == b || b == c || c == a) return;
         if (mesh_.triangles.size() >= kMostMeshTriangles)
-            lines_.fail("there are more than " + std::to_string(kMostMeshTriangles) + " triangles.");
+            lines_.fail("there are more than %1 triangles.", kMostMeshTriangles);
         mesh_.triangles.push_back(triangle);
     }
 
@@ -72,25 +70,25 @@ class ObjReader {
         const std::size_t second =
             slash == std::string_view::npos ? std::string_view::npos : word.find('/', slash + 1);
         Corner corner;
-        corner.position = index_of(word.substr(0, slash), word, mesh_.positions_m.size(), "position");
+        corner.position = index_of(word.substr(0, slash), word, mesh_.positions_m.size(),
+                                   core::Pattern<0>("position"));
         if (second == std::string_view::npos) return corner;
-        corner.has_its_normal =
-            index_of(word.substr(second + 1), word, mesh_.normals.size(), "normal") == corner.position;
+        corner.has_its_normal = index_of(word.substr(second + 1), word, mesh_.normals.size(),
+                                         core::Pattern<0>("normal")) == corner.position;
         return corner;
     }
 
     /// Counted from 0.
     std::uint32_t index_of(std::string_view digits, std::string_view word, std::size_t count,
-                           const char* what) const {
+                           core::Pattern<0> what) const {
         std::int64_t number = 0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
         if (error != std::errc() || end != digits.data() + digits.size())
-            lines_.fail(files::quoted(word) + " is no corner of a face.");
+            lines_.fail("%1 is no corner of a face.", files::quoted(word));
         const auto last = static_cast<std::int64_t>(count);
-        if (number == 0 || number > last || number < -last) {
-            lines_.fail(files::quoted(word) + " names " + what + " " + std::to_string(number) +
-                        ", but " + std::to_string(count) + " were given until here.");
-        }
+        if (number == 0 || number > last || number < -last)
+            lines_.fail("%1 names %2 %3, but %4 were given until here.", files::quoted(word),
+                        core::message(what), number, count);
         return static_cast<std::uint32_t>(number > 0 ? number - 1 : last + number);
     }
 

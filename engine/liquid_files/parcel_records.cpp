@@ -19,12 +19,13 @@ Parcel parcel_of(const ParcelRecord& record) {
     return parcel;
 }
 
-/// Null: none.
-const char* fault_of(const Parcel& parcel) {
+void check(const Parcel& parcel, std::size_t number, const files::PartFileReader& file) {
     const glm::vec3& at = parcel.position_m;
     for (const float value : {at.x, at.y, at.z, parcel.volume_m3, parcel.coldness})
-        if (!std::isfinite(value)) return "values are not finite.";
-    return liquid::is_shape(parcel.shape) ? nullptr : "shape is none.";
+        if (!std::isfinite(value))
+            file.refuse("holds a parcel (number %1) whose values are not finite.", number);
+    if (!liquid::is_shape(parcel.shape))
+        file.refuse("holds a parcel (number %1) whose shape is none.", number);
 }
 
 template <class Record>
@@ -33,9 +34,7 @@ std::vector<Parcel> next_parcels_as(files::PartFileReader& file, std::size_t cou
     parcels.reserve(count);
     for (const Record& record : file.next<Record>(count)) {
         const Parcel parcel = parcel_of(record);
-        const char* fault = fault_of(parcel);
-        if (fault != nullptr)
-            file.refuse("holds a parcel (number " + std::to_string(parcels.size()) + ") whose " + fault);
+        check(parcel, parcels.size(), file);
         parcels.push_back(parcel);
     }
     return parcels;

@@ -169,7 +169,8 @@ std::vector<std::filesystem::path> pbrt_scene_files(const std::filesystem::path&
 files::ExportStatus export_pbrt_scene(const std::filesystem::path& path, const PbrtScene& scene,
                                       const files::KeepGoing& keep_going) {
     if (core::lower_case(path.extension().string()) != ".pbrt")
-        throw core::InputError(path.string() + ": a scene is saved as .pbrt; this name ends otherwise.");
+        throw core::InputError("%1: a scene is saved as .pbrt; this name ends otherwise.",
+                               path.string());
     const std::vector<std::filesystem::path> files = pbrt_scene_files(path);
     const liquid::CupMeshes cup = liquid::cup_meshes(scene.cup);
     const liquid::TriangleMesh* meshes[] = {&cup.glass_air, &cup.tea_glass, &cup.tea_air, &scene.milk};

@@ -151,8 +151,8 @@ files::Json json_of(const Combined& combined) {
 Shape read_shape(const files::JsonPlace& place, const MeshOfFile& mesh_of) {
     const files::Json& value = place.value();
     if (!value.is_object() || value.size() != 1) {
-        place.fail("a shape is an object with one entry, its form, which is one of " + names_of_forms() +
-                   ".");
+        place.fail("a shape is an object with one entry, its form, which is one of %1.",
+                   names_of_forms());
     }
     const std::string key = value.begin().key();
     for (const Form& form : kForms) {
@@ -163,7 +163,7 @@ Shape read_shape(const files::JsonPlace& place, const MeshOfFile& mesh_of) {
             place.guard([&] { tank::check_shape(shape); });
         return shape;
     }
-    place.fail("\"" + key + "\" is no form of a shape; there are " + names_of_forms() + ".");
+    place.fail("\"%1\" is no form of a shape; there are %2.", key, names_of_forms());
 }
 
 files::Json shape_to_json(const Shape& shape) {
@@ -171,8 +171,7 @@ files::Json shape_to_json(const Shape& shape) {
 }
 
 glm::vec3 read_vector(const files::JsonPlace& place) {
-    if (place.size() != 3)
-        place.fail("expected three numbers, found " + std::to_string(place.size()) + ".");
+    if (place.size() != 3) place.fail("expected three numbers, found %1.", place.size());
     glm::vec3 vector;
     for (const int axis : {0, 1, 2})
         vector[axis] = read_float(place.element(static_cast<std::size_t>(axis)));

@@ -21,13 +21,12 @@ static_assert(std::endian::native == std::endian::little, "STL is read as little
 
 constexpr std::size_t kCountAt = 80, kHeadBytes = 84, kTriangleBytes = 50, kVectorBytes = 12;
 
-[[noreturn]] void fail_at_byte(const std::string& name, std::size_t byte, const std::string& message) {
-    throw core::InputError(name + ", byte " + std::to_string(byte) + ": " + message);
+[[noreturn]] void fail_at_byte(const std::string& name, std::size_t byte, const core::Message& message) {
+    throw core::InputError("%1, byte %2: %3", name, byte, message);
 }
 
 [[noreturn]] void fail_as_too_many(const std::string& name) {
-    throw core::InputError(name + ": there are more than " + std::to_string(kMostMeshTriangles) +
-                           " triangles.");
+    throw core::InputError("%1: there are more than %2 triangles.", name, kMostMeshTriangles);
 }
 
 /// Three of them make a triangle.
@@ -94,8 +93,8 @@ Corners read_binary(std::string_view bytes, const std::string& name) {
             for (const float number : numbers)
                 if (!std::isfinite(number))
                     fail_at_byte(name, at,
-                                 "a corner of triangle " + std::to_string(triangle) +
-                                     " is not finite (" + std::to_string(number) + ").");
+                                 core::message("a corner of triangle %1 is not finite (%2).", triangle,
+                                               std::to_string(number)));
             corners.emplace_back(numbers[0], numbers[1], numbers[2]);
         }
     }
@@ -123,7 +122,7 @@ class StlText {
         if (kind == "vertex") return add_vertex();
         if (kind == "solid" || kind == "endsolid") {
             if (in_loop_ != kNoLoop)
-                lines_.fail("\"endloop\" is missing before " + files::quoted(word) + ".");
+                lines_.fail("\"endloop\" is missing before %1.", files::quoted(word));
             in_solid_ = kind == "solid";
         } else if (kind == "outer") {
             if (in_loop_ != kNoLoop) lines_.fail("a loop begins within another one.");
@@ -132,7 +131,7 @@ class StlText {
             if (in_loop_ != 3) lines_.fail("a loop ends that has no three corners.");
             in_loop_ = kNoLoop;
         } else if (kind != "facet" && kind != "endfacet") {
-            lines_.fail(files::quoted(word) + " does not belong in an STL file.");
+            lines_.fail("%1 does not belong in an STL file.", files::quoted(word));
         }
     }
 
@@ -159,11 +158,12 @@ liquid::TriangleMesh mesh_from_stl(std::string_view bytes, const std::string& na
         return welded(read_binary(bytes, name));
     if (core::lower_case(bytes.substr(0, 5)) == "solid") return welded(StlText(bytes, name).read());
     if (!has_head)
-        fail_at_byte(name, bytes.size(), "the file ends here, within the head of an STL file.");
+        fail_at_byte(name, bytes.size(),
+                     core::message("the file ends here, within the head of an STL file."));
     const std::uint32_t count = binary_count(bytes);
     fail_at_byte(name, kCountAt,
-                 std::to_string(count) + " triangles take " + std::to_string(binary_bytes(count)) +
-                     " bytes, but the file has " + std::to_string(bytes.size()) + ".");
+                 core::message("%1 triangles take %2 bytes, but the file has %3.", count,
+                               binary_bytes(count), bytes.size()));
 }
 
 }  // namespace pastoso::liquid_files

@@ -46,7 +46,7 @@ files::PartFileKind kind() {
     constexpr std::size_t kFields = 6;
     const std::size_t samples = sample_count({kMost, kMost, kMost, 0.0F}, BoxSamples::All);
     return {
-        .what = "checkpoint of a tank",
+        .what = core::Pattern<0>("checkpoint of a tank"),
         .mark = {'T', 'a', 'n', 'k', 'S', 't', 'a', 't'},
         .version = kTankCheckpointVersion,
         .oldest = kTankCheckpointVersion,

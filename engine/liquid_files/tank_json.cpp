@@ -42,20 +42,20 @@ constexpr ObjectNumber<Wind> kWindNumbers[] = {{"speed_m_s", &Wind::speed_m_s},
                                                {"from_s", &Wind::from_s},
                                                {"until_s", &Wind::until_s}};
 
-constexpr files::FileFormat kFormat{"pastoso-tank", "a scene of a glass tank", "tank format",
-                                    kTankFormatVersion};
+constexpr files::FileFormat kFormat{"pastoso-tank", core::Pattern<0>("a scene of a glass tank"),
+                                    core::Pattern<0>("tank format"), kTankFormatVersion};
 
 Method read_method(const files::JsonPlace& place) {
     const std::string name = place.text();
     for (const MethodName& known : kMethods)
         if (name == known.name) return known.method;
-    place.fail("\"" + name +
-               R"(" is none of "particles", "level_set", "upwind_level_set" and "particle_level_set".)");
+    place.fail(
+        R"("%1" is none of "particles", "level_set", "upwind_level_set" and "particle_level_set".)",
+        name);
 }
 
 glm::ivec3 read_cells(const files::JsonPlace& place) {
-    if (place.size() != 3)
-        place.fail("expected three whole numbers, found " + std::to_string(place.size()) + ".");
+    if (place.size() != 3) place.fail("expected three whole numbers, found %1.", place.size());
     glm::ivec3 cells;
     for (const int axis : {0, 1, 2})
         cells[axis] = static_cast<int>(place.element(static_cast<std::size_t>(axis))

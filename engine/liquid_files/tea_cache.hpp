@@ -9,7 +9,8 @@
 
 namespace pastoso::liquid_files {
 
-inline constexpr FrameIndexKind kTeaCache = {"tea.json", "pastoso-tea-cache", "other tea"};
+inline constexpr FrameIndexKind kTeaCache = {"tea.json", "pastoso-tea-cache",
+                                             core::Pattern<0>("other tea")};
 
 /// "FOLDER/frame_000123.tea". Frames are counted from 1: frame n is the tea at n / fps seconds.
 std::filesystem::path tea_frame_path(const std::filesystem::path& folder, int frame);

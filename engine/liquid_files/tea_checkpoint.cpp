@@ -54,7 +54,7 @@ files::PartFileKind kind() {
     constexpr int kMost = liquid::kMaxTeaCells;
     constexpr std::size_t kFields = 11;
     const std::size_t samples = sample_count({kMost, kMost, kMost, 0.0F}, BoxSamples::All);
-    return {.what = "checkpoint of tea",
+    return {.what = core::Pattern<0>("checkpoint of tea"),
             .mark = {'T', 'e', 'a', 'S', 't', 'a', 't', 'e'},
             .version = kTeaCheckpointVersion,
             .oldest = kRoundParcelsVersion,

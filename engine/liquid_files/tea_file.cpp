@@ -48,7 +48,7 @@ constexpr std::uint32_t kShortVersion = 2;
 /// Parcels, dissolved, coldness.
 files::PartFileKind kind() {
     const auto cells = static_cast<std::size_t>(kMostTeaCells);
-    return {.what = "frame of tea",
+    return {.what = core::Pattern<0>("frame of tea"),
             .mark = {'P', 'a', 's', 't', 'o', 'T', 'e', 'a'},
             .version = kTeaFileVersion,
             .oldest = kRoundParcelsVersion,

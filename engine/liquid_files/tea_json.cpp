@@ -26,8 +26,8 @@ struct AdvectionName {
 constexpr AdvectionName kAdvections[] = {{"once", VelocityAdvection::Once},
                                          {"reflected", VelocityAdvection::Reflected}};
 
-constexpr files::FileFormat kFormat{"pastoso-tea", "a glass of milk tea", "tea format",
-                                    kTeaFormatVersion};
+constexpr files::FileFormat kFormat{"pastoso-tea", core::Pattern<0>("a glass of milk tea"),
+                                    core::Pattern<0>("tea format"), kTeaFormatVersion};
 
 /// Numbers of rules that are no more, which scenes may still have.
 constexpr const char* kRetired[] = {"cohesion_s", "cohesion_reach", "cohesion_limit_m", "burst_depth_m"};
@@ -36,7 +36,7 @@ VelocityAdvection read_advection(const files::JsonPlace& place) {
     const std::string name = place.text();
     for (const AdvectionName& known : kAdvections)
         if (name == known.name) return known.advection;
-    place.fail("\"" + name + R"(" is neither "once" nor "reflected".)");
+    place.fail(R"("%1" is neither "once" nor "reflected".)", name);
 }
 
 void read_whole_numbers(const files::JsonPlace& place, TeaSettings& settings) {

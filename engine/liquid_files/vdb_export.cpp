@@ -82,7 +82,8 @@ bool has_openvdb() {
 
 void export_vdb(const std::filesystem::path& path, const VdbFields& fields) {
     if (core::lower_case(path.extension().string()) != ".vdb")
-        throw core::InputError(path.string() + ": a volume is saved as .vdb; this name ends otherwise.");
+        throw core::InputError("%1: a volume is saved as .vdb; this name ends otherwise.",
+                               path.string());
     openvdb::initialize();
     const openvdb::GridPtrVec grids = grids_of(fields);
     core::write_aside(path, [&](core::OutputFile& file) { file.append(VolumeFile().bytes_of(grids)); });

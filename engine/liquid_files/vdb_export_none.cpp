@@ -9,8 +9,8 @@ bool has_openvdb() {
 }
 
 void export_vdb(const std::filesystem::path& path, const VdbFields&) {
-    throw core::InputError(path.string() +
-                           ": cannot be written, since this program was built without OpenVDB.");
+    throw core::InputError("%1: cannot be written, since this program was built without OpenVDB.",
+                           path.string());
 }
 
 }  // namespace pastoso::liquid_files

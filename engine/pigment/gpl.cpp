@@ -29,27 +29,28 @@ struct Line {
     const std::string& file;
     long number = 0;
 
-    core::InputError error(const std::string& message) const {
-        return core::located_error(file, number, message);
+    template <class... Arguments>
+    core::InputError error(core::Pattern<sizeof...(Arguments)> pattern,
+                           const Arguments&... arguments) const {
+        return core::located_error(file, number, pattern, arguments...);
     }
 };
 
-std::uint8_t parse_channel(const Line& line, const char* channel, std::string_view word) {
-    if (word.empty()) throw line.error(std::string("the ") + channel + " is missing.");
+std::uint8_t parse_channel(const Line& line, const core::Message& channel, std::string_view word) {
+    if (word.empty()) throw line.error("the %1 is missing.", channel);
     int value = -1;
     const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (status != std::errc{} || end != word.data() + word.size() || value < 0 || value > 255) {
-        throw line.error(std::string("the ") + channel + " \"" + std::string(word) +
-                         "\" is not a whole number from 0 to 255.");
-    }
+    if (status != std::errc{} || end != word.data() + word.size() || value < 0 || value > 255)
+        throw line.error("the %1 \"%2\" is not a whole number from 0 to 255.", channel, word);
     return static_cast<std::uint8_t>(value);
 }
 
 NamedColour parse_colour(const Line& line, std::string_view text) {
-    static constexpr std::array<const char*, 3> kChannels = {"red", "green", "blue"};
+    static constexpr std::array kChannels = {core::Pattern<0>("red"), core::Pattern<0>("green"),
+                                             core::Pattern<0>("blue")};
     NamedColour colour;
     for (std::size_t i = 0; i < kChannels.size(); ++i) {
-        colour.colour[i] = parse_channel(line, kChannels[i], take_until(text, kBlanks));
+        colour.colour[i] = parse_channel(line, core::message(kChannels[i]), take_until(text, kBlanks));
         text = trimmed(text);
     }
     colour.name = text;
@@ -79,7 +80,7 @@ ColourPalette parse_gpl(std::string_view text, const std::string& file) {
         else if (entry.starts_with(kName))
             palette.name = trimmed(entry.substr(kName.size()));
     }
-    if (palette.colours.empty()) throw core::InputError(file + ": there is no colour in this palette.");
+    if (palette.colours.empty()) throw core::InputError("%1: there is no colour in this palette.", file);
     return palette;
 }
 

@@ -49,12 +49,11 @@ std::optional<double> number_in(std::string_view text) {
     return value;
 }
 
-double parse_number(const Line& line, std::string_view text, const char* what) {
+double parse_number(const Line& line, std::string_view text, const core::Message& what) {
     const std::optional<double> value = number_in(text);
     if (!value || !std::isfinite(*value)) {
-        throw core::located_error(
-            line.file, line.number,
-            std::string(what) + " \"" + std::string(text) + "\" is not a finite number.");
+        throw core::located_error(line.file, line.number, "%1 \"%2\" is not a finite number.", what,
+                                  text);
     }
     return *value;
 }
@@ -62,17 +61,16 @@ double parse_number(const Line& line, std::string_view text, const char* what) {
 Reading parse_reading(const Line& line) {
     const std::size_t comma = line.text.find(',');
     if (comma == std::string_view::npos || line.text.find(',', comma + 1) != std::string_view::npos) {
-        throw core::located_error(
-            line.file, line.number,
-            "\"" + std::string(line.text) + "\" is not a wavelength in nm and a power with one comma.");
+        throw core::located_error(line.file, line.number,
+                                  "\"%1\" is not a wavelength in nm and a power with one comma.",
+                                  line.text);
     }
     const std::string_view power = trimmed(line.text.substr(comma + 1));
-    const Reading reading{parse_number(line, trimmed(line.text.substr(0, comma)), "the wavelength"),
-                          parse_number(line, power, "the power")};
-    if (reading.power < 0.0) {
-        throw core::located_error(line.file, line.number,
-                                  "the power " + std::string(power) + " is negative.");
-    }
+    const Reading reading{
+        parse_number(line, trimmed(line.text.substr(0, comma)), core::message("the wavelength")),
+        parse_number(line, power, core::message("the power"))};
+    if (reading.power < 0.0)
+        throw core::located_error(line.file, line.number, "the power %1 is negative.", power);
     return reading;
 }
 
@@ -86,9 +84,8 @@ void add_reading(std::vector<Reading>& readings, const Line& line) {
     const Reading reading = parse_reading(line);
     if (!readings.empty() && reading.wavelength_nm <= readings.back().wavelength_nm) {
         throw core::located_error(line.file, line.number,
-                                  "the wavelength " +
-                                      std::string(line.text.substr(0, line.text.find(','))) +
-                                      " nm is not greater than that of the line before.");
+                                  "the wavelength %1 nm is not greater than that of the line before.",
+                                  line.text.substr(0, line.text.find(',')));
     }
     readings.push_back(reading);
 }
@@ -110,12 +107,11 @@ std::vector<Reading> parse_readings(std::string_view csv_text, const std::string
 
 void check_range(const std::vector<Reading>& readings, const std::string& name) {
     if (readings.empty())
-        throw core::InputError(name + ": there is no reading of a light in this file.");
+        throw core::InputError("%1: there is no reading of a light in this file.", name);
     const Reading &first = readings.front(), &last = readings.back();
     if (first.wavelength_nm <= kCoveredFrom_nm && last.wavelength_nm >= kCoveredTo_nm) return;
-    throw core::InputError(
-        name + ": the readings go from " + std::to_string(std::lround(first.wavelength_nm)) + " to " +
-        std::to_string(std::lround(last.wavelength_nm)) + " nm; a light is needed from 400 to 700 nm.");
+    throw core::InputError("%1: the readings go from %2 to %3 nm; a light is needed from 400 to 700 nm.",
+                           name, std::lround(first.wavelength_nm), std::lround(last.wavelength_nm));
 }
 
 double interpolated(const std::vector<Reading>& readings, double wavelength_nm) {
@@ -150,12 +146,12 @@ void check_white(const Illuminant& light) {
     double seen = 0.0;
     for (int i = 0; i < kSpectralSamples; ++i)
         seen += light.power[i] * kColourMatchingY[i];
-    if (!(seen > 0.0)) throw core::InputError(light.name + ": this light has no power that is seen.");
+    if (!(seen > 0.0)) throw core::InputError("%1: this light has no power that is seen.", light.name);
     const Vector3 cones = cones_of(white_under(light.power)), usual = cones_of(white_xyz(kD65White));
     for (int i = 0; i < 3; ++i) {
         if (cones[i] >= kFaintestCone * usual[i]) continue;
         throw core::InputError(
-            light.name + ": this light is so nearly a pure colour that nothing looks white in it.");
+            "%1: this light is so nearly a pure colour that nothing looks white in it.", light.name);
     }
 }
 
@@ -181,8 +177,9 @@ Illuminant find_illuminant(const std::string& name_or_path) {
     }
     if (name_or_path.find_first_of("./") == std::string::npos &&
         !core::is_there(name_or_path)) {
-        throw core::InputError("There is no light \"" + name_or_path +
-                               "\"; there are D65, D50, A and LED, or give the path of a CSV file.");
+        throw core::InputError(
+            "There is no light \"%1\"; there are D65, D50, A and LED, or give the path of a CSV file.",
+            name_or_path);
     }
     return parse_illuminant(core::read_text_file(name_or_path), name_or_path);
 }

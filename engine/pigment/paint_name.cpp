@@ -10,9 +10,8 @@ namespace {
 
 Srgb8 colour_named(std::string_view name) {
     if (const auto colour = parse_hex_colour(name)) return *colour;
-    throw core::InputError("\"" + std::string(name) +
-                           "\" is not a colour; a colour is # and six hexadecimal digits, for example "
-                           "#c03020.");
+    throw core::InputError(
+        "\"%1\" is not a colour; a colour is # and six hexadecimal digits, for example #c03020.", name);
 }
 
 }  // namespace

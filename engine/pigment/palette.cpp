@@ -52,16 +52,18 @@ bool resembles(const Pigment& pigment, const std::string& wanted) {
     return edit_distance(core::lower_case(pigment.ci_name), wanted) <= 1;
 }
 
-std::string suggestions(std::string_view wanted) {
-    std::string text;
+/// "NAME or NAME"; empty where none resembles what was wanted.
+core::Message suggestions(std::string_view wanted) {
+    core::Message names;
     for (const std::vector<Pigment>* palette : {&bundled_palette(), &user_pigments().pigments}) {
         for (const Pigment& pigment : *palette) {
             if (!resembles(pigment, core::lower_case(wanted))) continue;
-            text +=
-                (text.empty() ? "did you mean " : " or ") + pigment.ci_name + " (" + pigment.name + ")";
+            const std::string name = pigment.ci_name + " (" + pigment.name + ")";
+            names =
+                names.empty() ? core::Message::verbatim(name) : core::message("%1 or %2", names, name);
         }
     }
-    return text.empty() ? text : text + "; ";
+    return names;
 }
 
 std::string names_of(const std::vector<Pigment>& palette) {
@@ -71,14 +73,16 @@ std::string names_of(const std::vector<Pigment>& palette) {
     return names;
 }
 
-/// What is said of the user's own pigments where one is not found.
-std::string about_user_pigments() {
+/// Which pigments there are, the user's own as well, and which of those could not be read.
+core::Message all_names() {
     const UserPigments& user = user_pigments();
-    std::string text = user.pigments.empty() ? "" : ", yours " + names_of(user.pigments);
-    text += ".";
-    for (const std::string& fault : user.faults)
-        text += " Not read: " + fault;
-    return text;
+    const std::string names = names_of(bundled_palette());
+    core::Message all = user.pigments.empty() ? core::message("the palette has %1.", names)
+                                              : core::message("the palette has %1, yours %2.", names,
+                                                              names_of(user.pigments));
+    for (const core::Message& fault : user.faults)
+        all = core::message("%1 Not read: %2", all, fault);
+    return all;
 }
 
 }  // namespace
@@ -96,9 +100,10 @@ const std::vector<Pigment>& bundled_palette() {
 const Pigment& find_pigment(std::string_view ci_name) {
     if (const Pigment* pigment = find_in(bundled_palette(), ci_name)) return *pigment;
     if (const Pigment* pigment = find_in(user_pigments().pigments, ci_name)) return *pigment;
-    throw core::InputError("There is no pigment \"" + std::string(ci_name) + "\"; " +
-                           suggestions(ci_name) + "the palette has " + names_of(bundled_palette()) +
-                           about_user_pigments());
+    const core::Message meant = suggestions(ci_name);
+    if (meant.empty()) throw core::InputError("There is no pigment \"%1\"; %2", ci_name, all_names());
+    throw core::InputError("There is no pigment \"%1\"; did you mean %2; %3", ci_name, meant,
+                           all_names());
 }
 
 Coefficients mix(std::span<const Portion> portions) {

@@ -23,10 +23,6 @@ struct Row {
     Spectrum values{};
 };
 
-std::string in_quotes(std::string_view text) {
-    return "\"" + std::string(text) + "\"";
-}
-
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return {};
@@ -50,18 +46,18 @@ std::string heading_of(std::size_t column) {
     return std::to_string(kFirstWavelength_nm + kWavelengthStep_nm * sample);
 }
 
-core::InputError error_at(const Line& line, std::size_t column, const std::string& message) {
-    return core::located_error(
-        line.file, line.number,
-        "column " + std::to_string(column + 1) + " (" + heading_of(column) + "): " + message);
+template <class... Arguments>
+core::InputError error_at(const Line& line, std::size_t column,
+                          core::Pattern<sizeof...(Arguments)> pattern, const Arguments&... arguments) {
+    return core::located_error(line.file, line.number, "column %1 (%2): %3", column + 1,
+                               heading_of(column), core::message(pattern, arguments...));
 }
 
 void check_column_count(const Line& line) {
     const std::size_t count = line.fields.size();
     if (count == kColumns) return;
-    const std::string found =
-        "there are " + std::to_string(count) + " columns instead of " + std::to_string(kColumns) + ".";
-    if (count < kColumns) throw error_at(line, count, "missing; " + found);
+    const core::Message found = core::message("there are %1 columns instead of %2.", count, kColumns);
+    if (count < kColumns) throw error_at(line, count, "missing; %1", found);
     throw core::located_error(line.file, line.number, found);
 }
 
@@ -69,9 +65,8 @@ void check_heading(const Line& line) {
     check_column_count(line);
     for (std::size_t column = 0; column < kColumns; ++column) {
         if (line.fields[column] == heading_of(column)) continue;
-        throw error_at(line, column,
-                       "the heading is " + in_quotes(line.fields[column]) + " instead of " +
-                           in_quotes(heading_of(column)) + ".");
+        throw error_at(line, column, "the heading is \"%1\" instead of \"%2\".", line.fields[column],
+                       heading_of(column));
     }
 }
 
@@ -79,12 +74,10 @@ double parse_coefficient(const Line& line, std::size_t column) {
     const std::string_view text = line.fields[column];
     double value = 0.0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc{} || end != text.data() + text.size()) {
-        throw error_at(line, column, in_quotes(text) + " is not a number.");
-    }
-    if (!std::isfinite(value))
-        throw error_at(line, column, in_quotes(text) + " is not a finite number.");
-    if (value < 0.0) throw error_at(line, column, std::string(text) + " per mm is negative.");
+    if (status != std::errc{} || end != text.data() + text.size())
+        throw error_at(line, column, "\"%1\" is not a number.", text);
+    if (!std::isfinite(value)) throw error_at(line, column, "\"%1\" is not a finite number.", text);
+    if (value < 0.0) throw error_at(line, column, "%1 per mm is negative.", text);
     return value;
 }
 
@@ -92,9 +85,8 @@ Row parse_row(const Line& line) {
     check_column_count(line);
     Row row{line.fields[0], line.fields[1], line.fields[2] == "K", {}};
     if (row.ci_name.empty()) throw error_at(line, 0, "the pigment has no name.");
-    if (line.fields[2] != "K" && line.fields[2] != "S") {
-        throw error_at(line, 2, in_quotes(line.fields[2]) + " is neither K nor S.");
-    }
+    if (line.fields[2] != "K" && line.fields[2] != "S")
+        throw error_at(line, 2, "\"%1\" is neither K nor S.", line.fields[2]);
     for (int i = 0; i < kSpectralSamples; ++i)
         row.values[i] = parse_coefficient(line, kLabelColumns + i);
     return row;
@@ -121,9 +113,8 @@ void add_row(std::vector<Entry>& entries, const Row& row, const Line& line) {
     Entry& entry = entry_of(entries, row);
     bool& seen = row.absorption ? entry.has_absorption : entry.has_scattering;
     if (seen) {
-        throw core::located_error(line.file, line.number,
-                                  std::string(row.absorption ? "K" : "S") + " of the pigment " +
-                                      in_quotes(row.ci_name) + " is given twice.");
+        throw core::located_error(line.file, line.number, "%1 of the pigment \"%2\" is given twice.",
+                                  row.absorption ? "K" : "S", row.ci_name);
     }
     seen = true;
     (row.absorption ? entry.pigment.absorption_per_mm : entry.pigment.scattering_per_mm) = row.values;
@@ -133,18 +124,18 @@ void check_strength(const Pigment& pigment, const std::string& file) {
     for (int channel = 0; channel < kChannels; ++channel) {
         const float value = pigment.coefficients[channel];
         if (value <= kMostPerMm) continue;
-        throw core::InputError(file + ": " + (channel < kBands ? "K" : "S") + " of the pigment " +
-                               in_quotes(pigment.ci_name) + " is " + std::to_string(value) +
-                               " per mm in band " + std::to_string(channel % kBands + 1) + " of " +
-                               std::to_string(kBands) + ", above the " + std::to_string(kMostPerMm) +
-                               " that paint can have; give the pigment in a weaker paint.");
+        throw core::InputError(
+            "%1: %2 of the pigment \"%3\" is %4 per mm in band %5 of %6, above the %7 that paint can "
+            "have; give the pigment in a weaker paint.",
+            file, channel < kBands ? "K" : "S", pigment.ci_name, std::to_string(value),
+            channel % kBands + 1, kBands, std::to_string(kMostPerMm));
     }
 }
 
 Pigment completed(Entry entry, const BandWeights& weights, const std::string& file) {
     if (!entry.has_absorption || !entry.has_scattering) {
-        throw core::InputError(file + ": the pigment " + in_quotes(entry.pigment.ci_name) +
-                               " has no line for " + (entry.has_absorption ? "S." : "K."));
+        throw core::InputError("%1: the pigment \"%2\" has no line for %3.", file, entry.pigment.ci_name,
+                               entry.has_absorption ? "S" : "K");
     }
     const Bands absorption = reduce_to_bands(entry.pigment.absorption_per_mm, weights);
     const Bands scattering = reduce_to_bands(entry.pigment.scattering_per_mm, weights);
@@ -172,7 +163,7 @@ std::vector<Pigment> parse_palette(std::string_view csv_text, const BandWeights&
             heading_seen = true;
         }
     }
-    if (entries.empty()) throw core::InputError(name + ": there is no pigment in this file.");
+    if (entries.empty()) throw core::InputError("%1: there is no pigment in this file.", name);
     std::vector<Pigment> palette;
     for (Entry& entry : entries)
         palette.push_back(completed(std::move(entry), weights, name));

@@ -21,12 +21,12 @@ std::vector<Pigment> read_file(const std::filesystem::path& path, const std::vec
         parse_palette(core::read_text_file(path, kMostBytes), bundled_band_weights(), path.string());
     for (const Pigment& pigment : pigments) {
         if (holds(bundled_palette(), pigment.ci_name) || holds(taken, pigment.ci_name)) {
-            throw core::InputError(path.string() + ": there is already a pigment \"" + pigment.ci_name +
-                                   "\"; give yours another name.");
+            throw core::InputError("%1: there is already a pigment \"%2\"; give yours another name.",
+                                   path.string(), pigment.ci_name);
         }
         if (pigment.ci_name.front() == '#') {
-            throw core::InputError(path.string() + ": the name \"" + pigment.ci_name +
-                                   "\" begins with #, as only colours do.");
+            throw core::InputError("%1: the name \"%2\" begins with #, as only colours do.",
+                                   path.string(), pigment.ci_name);
         }
     }
     return pigments;
@@ -41,7 +41,7 @@ UserPigments read_user_pigments(const std::filesystem::path& folder) {
             for (Pigment& pigment : read_file(path, user.pigments))
                 user.pigments.push_back(std::move(pigment));
         } catch (const core::InputError& fault) {
-            user.faults.emplace_back(fault.what());
+            user.faults.push_back(fault.message());
         }
     }
     return user;

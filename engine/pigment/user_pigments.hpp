@@ -1,6 +1,7 @@
 // Pigments of the painter's own, measured or made up, beside those that come with the program.
 #pragma once
 
+#include "core/message.hpp"
 #include "pigment/palette.hpp"
 
 #include <filesystem>
@@ -10,8 +11,8 @@
 namespace pastoso::pigment {
 
 struct UserPigments {
-    std::vector<Pigment> pigments;    ///< of the files without a fault, in the order of their names
-    std::vector<std::string> faults;  ///< one sentence for every file that was left out, with the place
+    std::vector<Pigment> pigments;      ///< of the files without a fault, in the order of their names
+    std::vector<core::Message> faults;  ///< a sentence on every file that was left out, with the place
 };
 
 /// Reads every *.csv of the folder (resources/pigments/pigments.csv shows the form), in the order of the

@@ -31,8 +31,8 @@ std::string text_of(const Bytes& bytes) {
 
 RasterStack stack_of(const ZipReader& archive) {
     if (!archive.has(kStackEntry))
-        throw core::InputError(archive.name() + ": is no OpenRaster file, which would hold " +
-                               kStackEntry + ".");
+        throw core::InputError("%1: is no OpenRaster file, which would hold %2.", archive.name(),
+                               kStackEntry);
     return read_stack(text_of(archive.read(kStackEntry, kMostStackBytes)),
                       archive.name() + ", " + kStackEntry);
 }
@@ -93,9 +93,8 @@ class Importer {
                 throw core::InputError("the layers are too large in all.");
             canvas_.apply(paint);
         } catch (const core::InputError& error) {
-            const std::string_view sentence = error.what();
-            if (sentence.starts_with(archive_.name())) throw;
-            archive_.fail(picture.source, std::string(sentence));
+            if (std::string_view(error.what()).starts_with(archive_.name())) throw;
+            archive_.fail(picture.source, error.message());
         }
         const document::LayerLook plain{.name = picture.look.name};
         if (picture.look != plain) canvas_.apply(document::SetLayer{id, picture.look});

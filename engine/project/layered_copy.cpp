@@ -49,8 +49,8 @@ bool is_layered_copy_path(const std::filesystem::path& path) {
 void check_layered_copy(const LayeredCopy& copy) {
     if (!is_layered_copy_path(copy.path))
         throw core::InputError(
-            copy.path.string() +
-            ": a copy in layers is saved as .ora or .psd; this name ends in neither.");
+            "%1: a copy in layers is saved as .ora or .psd; this name ends in neither.",
+            copy.path.string());
     files::check_writable(copy.path);
 }
 

@@ -35,10 +35,10 @@ std::string place_of(const ZipReader& archive, const char* entry) {
 
 void check_kind(const ZipReader& archive) {
     if (!archive.has("mimetype") || text_of(archive.read("mimetype", 64)) != kMimeType)
-        throw core::InputError(archive.name() + ": is no painting of Pastoso.");
+        throw core::InputError("%1: is no painting of Pastoso.", archive.name());
     if (!archive.has(kIndexEntry)) {
-        throw core::InputError(archive.name() +
-                               ": is an OpenRaster picture of another program; it holds no wet paint.");
+        throw core::InputError("%1: is an OpenRaster picture of another program; it holds no wet paint.",
+                               archive.name());
     }
 }
 
@@ -57,7 +57,7 @@ void check_memory(const ZipReader& archive, const document::CanvasSettings& canv
     try {
         document::check_canvas_fits(canvas, core::available_memory_bytes());
     } catch (const core::InputError& error) {
-        archive.fail(kSetupEntry, error.what());
+        archive.fail(kSetupEntry, error.message());
     }
 }
 
@@ -66,17 +66,15 @@ film::SupportHeights named_support(const ZipReader& archive, const document::Can
     try {
         return document::named_support(canvas, pool, form);
     } catch (const core::InputError& error) {
-        archive.fail(kSetupEntry, error.what());
+        archive.fail(kSetupEntry, error.message());
     }
 }
 
-void check_surface(const ZipReader& archive, const char* which, const SurfaceIndex& index,
+void check_surface(const ZipReader& archive, const core::Message& which, const SurfaceIndex& index,
                    const grid::Shape& shape, double cell_mm) {
     if (index.shape == shape && index.cell_mm == cell_mm) return;
-    archive.fail(kIndexEntry, std::string("the ") + which + " has " + std::to_string(index.shape.width) +
-                                  " x " + std::to_string(index.shape.height) + " cells, but " +
-                                  std::to_string(shape.width) + " x " + std::to_string(shape.height) +
-                                  " of another size are expected.");
+    archive.fail(kIndexEntry, "the %1 has %2 x %3 cells, but %4 x %5 of another size are expected.",
+                 which, index.shape.width, index.shape.height, shape.width, shape.height);
 }
 
 /// The surface with all but its tiles.
@@ -107,7 +105,7 @@ void fill(const ZipReader& archive, const SurfaceIndex& index, const film::Mediu
 film::SupportHeights read_bare_support(const ZipReader& archive, const SurfaceIndex& index,
                                        const grid::Shape& shape, double cell_mm,
                                        core::ThreadPool& pool) {
-    check_surface(archive, "bare support", index, shape, cell_mm);
+    check_surface(archive, core::message("bare support"), index, shape, cell_mm);
     document::SurfaceState bare = empty_surface(index);
     read_tiles(archive, index.entries, bare, pool);
     return bare.film.support_mm;
@@ -121,9 +119,10 @@ film::SupportHeights make_named_support(const ZipReader& archive, const ProjectI
     film::SupportHeights support_mm = named_support(archive, canvas, index.support_form, pool);
     if (layer.bare_support_checksum &&
         bare_support_checksum(support_mm, layer.surface.entries) != layer.bare_support_checksum)
-        project.notes.push_back(archive.name() + ": was saved by Pastoso with another form of " +
-                                canvas.support +
-                                "; where nothing is painted, the canvas looks different.");
+        project.notes.push_back(
+            core::message("%1: was saved by Pastoso with another form of %2; where nothing is painted, "
+                          "the canvas looks different.",
+                          archive.name(), canvas.support));
     return support_mm;
 }
 
@@ -162,7 +161,7 @@ void read_layers(const ZipReader& archive, const ProjectIndex& index,
                  const document::CanvasSettings& canvas, LoadedProject& project,
                  core::ThreadPool& pool) {
     for (const LayerIndex& layer : index.layers)
-        check_surface(archive, "canvas", layer.surface, document::canvas_shape(canvas),
+        check_surface(archive, core::message("canvas"), layer.surface, document::canvas_shape(canvas),
                       1.0 / canvas.px_per_mm);
     read_active(archive, index, canvas, project, pool);
     const film::Medium in_hand = document::medium_of(project.painting.value.medium);
@@ -175,7 +174,7 @@ void read_layers(const ZipReader& archive, const ProjectIndex& index,
 void read_well(const ZipReader& archive, const SurfaceIndex& index, PaintingState& painting,
                core::ThreadPool& pool) {
     const film::FilmState bare = document::bare_well();
-    check_surface(archive, "mixing well", index, bare.shape, bare.cell_mm);
+    check_surface(archive, core::message("mixing well"), index, bare.shape, bare.cell_mm);
     document::SurfaceState surface = empty_surface(index);
     fill(archive, index, document::medium_of(painting.value.medium), surface, pool);
     painting.value.well = std::move(surface.film);
@@ -192,10 +191,10 @@ bool is_possible(const brush::Contents& held) {
 }
 
 /// What the index tells of a brush that the set-up has put there.
-void read_brush(const ZipReader& archive, const std::optional<BrushIndex>& told, const char* which,
-                const film::Medium& medium, document::BrushInHand* set_up) {
+void read_brush(const ZipReader& archive, const std::optional<BrushIndex>& told,
+                const core::Message& which, const film::Medium& medium, document::BrushInHand* set_up) {
     if (told.has_value() != (set_up != nullptr))
-        archive.fail(kIndexEntry, std::string("the brush ") + which + " is told of only in part.");
+        archive.fail(kIndexEntry, "the brush %1 is told of only in part.", which);
     if (!told) return;
     const BrushIndex& index = *told;
     brush::Brush& brush = set_up->brush;
@@ -203,9 +202,9 @@ void read_brush(const ZipReader& archive, const std::optional<BrushIndex>& told,
     brush.shape_tip();
     const Bytes content = read_packed(archive, index.held);
     if (content.size() != brush.held.size() * sizeof(brush::Contents)) {
-        archive.fail(index.held.entry, std::string("holds the paint of another brush than the one ") +
-                                           which + ", which has " + std::to_string(brush.held.size()) +
-                                           " bristles.");
+        archive.fail(index.held.entry,
+                     "holds the paint of another brush than the one %1, which has %2 bristles.", which,
+                     brush.held.size());
     }
     std::memcpy(static_cast<void*>(brush.held.data()), content.data(), content.size());
     brush.strokes_begun = index.strokes_begun;
@@ -232,7 +231,7 @@ void read_tracing(const ZipReader& archive, const document::SetTracing& set,
     try {
         *picture = files::decode_png({reinterpret_cast<const char*>(file.data()), file.size()});
     } catch (const core::InputError& error) {
-        archive.fail(kTracingEntry, error.what());
+        archive.fail(kTracingEntry, error.message());
     }
     painting.tracing =
         std::make_shared<const layers::Tracing>(layers::Tracing{picture, set.place, set.opacity});
@@ -247,14 +246,15 @@ void read_strokes(const ZipReader& archive, const PackedEntry& strokes,
                                                           recordings::Names::MayBeUnknown);
     } catch (const core::InputError& error) {
         project.strokes = {canvas, {}, 0};
-        project.notes.push_back(
-            std::string("The painting is whole, but its strokes cannot be replayed: ") + error.what());
+        project.notes.push_back(core::message(
+            "The painting is whole, but its strokes cannot be replayed: %1", error.message()));
     }
     if (!project.strokes.events.empty() && project.strokes.events.back().tick > tick)
         archive.fail(kStrokesEntry, "tells of strokes that are later than the painting.");
-    const std::string older = document::arithmetic_note(project.strokes.arithmetic);
+    const core::Message older = document::arithmetic_note(project.strokes.arithmetic);
     if (!project.strokes.events.empty() && !older.empty())
-        project.notes.push_back("The painting is as it was saved, but its strokes " + older);
+        project.notes.push_back(
+            core::message("The painting is as it was saved, but its strokes %1", older));
     project.strokes.end_tick = tick;
 }
 
@@ -273,10 +273,11 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     read_layers(archive, index, setup.canvas, project, pool);
     if (index.well) read_well(archive, *index.well, painting, pool);
     const film::Medium medium = document::medium_of(value.medium);
-    read_brush(archive, index.brush, "in hand", medium, value.brush ? &*value.brush : nullptr);
+    read_brush(archive, index.brush, core::message("in hand"), medium,
+               value.brush ? &*value.brush : nullptr);
     const auto aside =
         value.brush_aside ? std::make_shared<document::BrushInHand>(*value.brush_aside) : nullptr;
-    read_brush(archive, index.brush_aside, "aside", medium, aside.get());
+    read_brush(archive, index.brush_aside, core::message("aside"), medium, aside.get());
     value.brush_aside = aside;
     if (index.selection) read_selection(archive, *index.selection, value);
     if (index.tracing) read_tracing(archive, *index.tracing, value);
@@ -304,7 +305,7 @@ LoadedProject parse_project(std::span<const std::byte> file, const std::string& 
     return loaded(ZipReader(file, name), pool);
 }
 
-document::Recording load_strokes(const std::filesystem::path& path, std::vector<std::string>& notes) {
+document::Recording load_strokes(const std::filesystem::path& path, std::vector<core::Message>& notes) {
     const ZipReader archive(path);
     const ProjectIndex index = read_index(archive);
     LoadedProject project;

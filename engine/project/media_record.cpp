@@ -21,8 +21,7 @@ Json numbers_json(const FilmNumbers& numbers) {
 }
 
 std::vector<FilmNumbers> read_list(const JsonPlace& place) {
-    if (place.size() > film::kMostMedia)
-        place.fail("expected " + std::to_string(film::kMostMedia) + " media at most.");
+    if (place.size() > film::kMostMedia) place.fail("expected %1 media at most.", film::kMostMedia);
     std::vector<FilmNumbers> numbers;
     for (std::size_t k = 0; k < place.size(); ++k)
         numbers.push_back(
@@ -65,7 +64,7 @@ MediaIndex read_media(const JsonPlace& place, int tile_count) {
     const auto own = place.optional_entry("of_tiles");
     if (!own) return index;
     if (own->size() != static_cast<std::size_t>(tile_count))
-        own->fail("expected " + std::to_string(tile_count) + " numbers, one for each tile.");
+        own->fail("expected %1 numbers, one for each tile.", tile_count);
     const auto last = static_cast<std::int64_t>(index.numbers.size()) - 1;
     for (std::size_t tile = 0; tile < own->size(); ++tile)
         index.own.push_back(static_cast<std::uint8_t>(own->element(tile).integer(0, last)));

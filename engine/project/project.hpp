@@ -1,6 +1,7 @@
 // Project files (.pastoso): a painting saved and opened again (docs/file-format.md).
 #pragma once
 
+#include "core/message.hpp"
 #include "core/output_file.hpp"
 #include "core/progress.hpp"
 #include "core/thread_pool.hpp"
@@ -24,7 +25,7 @@ struct Project {
 
 /// What was read, and what a painter should know of it, in sentences.
 struct LoadedProject : Project {
-    std::vector<std::string> notes;
+    std::vector<core::Message> notes;
 };
 
 /// Writes aside, flushes and renames: at any moment `path` is the old file or the whole new one. The
@@ -48,7 +49,7 @@ LoadedProject parse_project(std::span<const std::byte> file, const std::string& 
 
 /// The strokes of a project alone: what load_project() gives of them. `notes` gets the sentence of
 /// strokes that cannot be read.
-document::Recording load_strokes(const std::filesystem::path& path, std::vector<std::string>& notes);
+document::Recording load_strokes(const std::filesystem::path& path, std::vector<core::Message>& notes);
 
 /// The picture that file managers show of a project: a PNG file, at most 256 pixels a side.
 std::string load_thumbnail(const std::filesystem::path& path);

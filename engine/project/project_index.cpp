@@ -1,5 +1,6 @@
 #include "project/project_index.hpp"
 
+#include "core/number_text.hpp"
 #include "files/json_place.hpp"
 #include "packing/packed_bytes.hpp"
 #include "project/consistency_record.hpp"
@@ -24,14 +25,6 @@ constexpr std::int64_t kMostCounted = std::numeric_limits<std::int64_t>::max();
 /// without an overflow. A thousand times what the largest canvas can hold.
 constexpr std::int64_t kMostPaint = std::int64_t{1} << 61;
 constexpr double kMostPaint_mm3 = 1e18;
-
-std::string hex(std::uint64_t value) {
-    static constexpr char kDigits[] = "0123456789abcdef";
-    std::string text(16, '0');
-    for (int i = 0; i < 16; ++i)
-        text[15 - i] = kDigits[(value >> (4 * i)) & 15U];
-    return text;
-}
 
 std::uint64_t read_hex(const JsonPlace& place) {
     const std::string text = place.text();
@@ -68,7 +61,7 @@ std::vector<int> read_runs(const JsonPlace& place, std::vector<bool>& seen) {
         const std::int64_t first = run.element(0).integer(least, tile_count - 1);
         const std::int64_t count = run.element(1).integer(1, tile_count - first);
         for (std::int64_t tile = first; tile < first + count; ++tile) {
-            if (seen[tile]) run.fail("tile " + std::to_string(tile) + " comes twice.");
+            if (seen[tile]) run.fail("tile %1 comes twice.", tile);
             seen[tile] = true;
             tiles.push_back(static_cast<int>(tile));
         }
@@ -112,7 +105,7 @@ void read_counts(const JsonPlace& place, std::int64_t& thickness,
     place.allow_only({"thickness", "channels"});
     thickness = place.entry("thickness").integer(-kMostPaint, kMostPaint);
     const JsonPlace list = place.entry("channels");
-    if (list.size() != kCount) list.fail("expected " + std::to_string(kCount) + " numbers.");
+    if (list.size() != kCount) list.fail("expected %1 numbers.", kCount);
     for (std::size_t k = 0; k < kCount; ++k)
         channels[k] = list.element(k).integer(-kMostPaint, kMostPaint);
 }
@@ -139,8 +132,7 @@ brush::Contents read_contents(const JsonPlace& place) {
     place.allow_only({"volume_mm3", "channels"});
     brush::Contents contents{.volume_mm3 = read_amount(place.entry("volume_mm3"))};
     const JsonPlace list = place.entry("channels");
-    if (list.size() != contents.paint.size())
-        list.fail("expected " + std::to_string(contents.paint.size()) + " numbers.");
+    if (list.size() != contents.paint.size()) list.fail("expected %1 numbers.", contents.paint.size());
     for (std::size_t k = 0; k < contents.paint.size(); ++k)
         contents.paint[k] = read_amount(list.element(k));
     return contents;
@@ -169,7 +161,7 @@ const TileKind& read_kind(const JsonPlace& place) {
     const auto kinds = tile_kinds();
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const TileKind& one) { return one.name == name; });
-    if (kind == kinds.end()) place.fail("there is no such kind of tiles as \"" + name + "\".");
+    if (kind == kinds.end()) place.fail("there is no such kind of tiles as \"%1\".", name);
     return *kind;
 }
 
@@ -182,8 +174,8 @@ TileEntry read_tile_entry(const JsonPlace& place, const grid::Shape& shape, Seen
     const std::size_t size = kind.bytes * entry.tiles.size();
     entry.packed = read_packed(place, std::max(size, kEntryBytes));
     if (entry.packed.size != size || size > std::max(kind.bytes, kEntryBytes))
-        place.entry("size").fail("the tiles hold " + std::to_string(size) + " bytes, which has to be " +
-                                 "the size and at most " + std::to_string(kEntryBytes) + ".");
+        place.entry("size").fail("the tiles hold %1 bytes, which has to be the size and at most %2.",
+                                 size, kEntryBytes);
     return entry;
 }
 
@@ -232,7 +224,8 @@ Json layer_json(const LayerIndex& layer) {
     Json json{
         {"id", layer.layer.id}, {"picture", layer.picture}, {"surface", surface_json(layer.surface)}};
     if (layer.layer.group != 0) json["group"] = layer.layer.group;
-    if (layer.bare_support_checksum) json["bare_support_checksum"] = hex(*layer.bare_support_checksum);
+    if (layer.bare_support_checksum)
+        json["bare_support_checksum"] = core::hex_text(*layer.bare_support_checksum);
     return with_look(std::move(json), layer.layer.look);
 }
 
@@ -279,7 +272,7 @@ void read_stack(const JsonPlace& place, ProjectIndex& index) {
 void read_layers(const JsonPlace& root, ProjectIndex& index) {
     const JsonPlace layers = root.entry("layers");
     if (layers.size() < 1 || layers.size() > document::kMostLayers)
-        layers.fail("expected 1 to " + std::to_string(document::kMostLayers) + " layers.");
+        layers.fail("expected 1 to %1 layers.", document::kMostLayers);
     for (std::size_t i = 0; i < layers.size(); ++i)
         index.layers.push_back(read_layer(layers.element(i)));
     if (const auto stack = root.optional_entry("stack")) read_stack(*stack, index);
@@ -381,8 +374,9 @@ void check_header(const JsonPlace& root) {
             "this is no painting of Pastoso; it would begin with \"format\": \"pastoso-project\".");
     const std::int64_t version = root.entry("version").integer(1, INT32_MAX);
     if (version > kProjectFormatVersion) {
-        root.fail("this was written by a newer Pastoso (project format " + std::to_string(version) +
-                  "; this program reads up to " + std::to_string(kProjectFormatVersion) + ").");
+        root.fail(
+            "this was written by a newer Pastoso (project format %1; this program reads up to %2).",
+            version, kProjectFormatVersion);
     }
     root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
                      "bare_support", "support_form", "well", "brush", "brush_aside", "selection",

@@ -20,14 +20,14 @@ bool holds(const document::Recording& strokes) {
     });
 }
 
-std::vector<std::string> notes_of(const document::Recording& strokes) {
-    std::vector<std::string> notes;
-    const std::string older = document::arithmetic_note(strokes.arithmetic);
-    if (!older.empty()) notes.push_back("its strokes " + older);
+std::vector<core::Message> notes_of(const document::Recording& strokes) {
+    std::vector<core::Message> notes;
+    const core::Message older = document::arithmetic_note(strokes.arithmetic);
+    if (!older.empty()) notes.push_back(core::message("its strokes %1", older));
     if (holds<document::PaintPicture>(strokes))
-        notes.push_back("a picture on it has no strokes, and comes no finer than it is.");
+        notes.push_back(core::message("a picture on it has no strokes, and comes no finer than it is."));
     if (strokes.canvas.support == "image")
-        notes.push_back("its support is a picture, and comes no finer than that.");
+        notes.push_back(core::message("its support is a picture, and comes no finer than that."));
     return notes;
 }
 
@@ -45,7 +45,7 @@ std::vector<document::CanvasSettings> canvases_of(const document::Recording& str
 RepaintingTerms repainting_terms(const document::Recording& strokes, const std::string& name,
                                  std::size_t available_bytes) {
     if (strokes.events.empty())
-        throw core::InputError(name + ": holds no strokes that could be painted again.");
+        throw core::InputError("%1: holds no strokes that could be painted again.", name);
     RepaintingTerms terms;
     terms.notes = notes_of(strokes);
     for (const document::CanvasSettings& canvas : canvases_of(strokes)) {

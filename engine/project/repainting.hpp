@@ -1,6 +1,7 @@
 // A painting painted once more from its strokes, on finer or coarser cells.
 #pragma once
 
+#include "core/message.hpp"
 #include "document/painting.hpp"
 #include "files/keep_going.hpp"
 #include "project/project.hpp"
@@ -17,7 +18,7 @@ namespace pastoso::project {
 struct RepaintingTerms {
     grid::Shape cells;                 ///< of the canvas at its end
     std::size_t memory_bytes = 0;      ///< about what it needs where it is largest, for one layer
-    std::vector<std::string> notes{};  ///< what will be otherwise; sentences that begin small
+    std::vector<core::Message> notes{};  ///< what will be otherwise; sentences that begin small
 };
 
 /// Of strokes on the canvas that they are to be painted on. `name` stands for them in sentences. Throws

@@ -2,7 +2,6 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "core/number_text.hpp"
 #include "core/units.hpp"
 #include "document/layers.hpp"
 #include "pigment/image.hpp"
@@ -28,8 +27,13 @@ struct Element {
     const std::string& file;
     long line;
 
-    [[noreturn]] void fail(const std::string& message) const {
+    [[noreturn]] void fail(const core::Message& message) const {
         throw core::located_error(file, line, message);
+    }
+    template <class... Arguments>
+    [[noreturn]] void fail(core::Pattern<sizeof...(Arguments)> pattern,
+                           const Arguments&... arguments) const {
+        fail(core::message(pattern, arguments...));
     }
 
     std::string text(const char* key, const char* otherwise) const {
@@ -44,12 +48,9 @@ struct Element {
         double value = 0.0;
         const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-            fail(std::string("expected a number for \"") + key + "\".");
-        if (value < least || value > most) {
-            fail(std::string("\"") + key + "\" is " + core::number_text(value) +
-                 ", but must lie between " + core::number_text(least) + " and " +
-                 core::number_text(most) + ".");
-        }
+            fail("expected a number for \"%1\".", key);
+        if (value < least || value > most)
+            fail("\"%1\" is %2, but must lie between %3 and %4.", key, value, least, most);
         return value;
     }
 
@@ -96,7 +97,7 @@ class StackReader {
         } else if (name == "layer") {
             read_layer(element);
         } else {
-            note("<" + name + "> is left out.");
+            note(core::message("<%1> is left out.", name));
         }
         path_.push_back(name);
     }
@@ -130,15 +131,16 @@ class StackReader {
         check_way(element, stacks_.back().name);
         if (stacks_.size() == 2) stack_.groups.push_back(stacks_.back());
         if (stacks_.size() == 3)
-            note("the groups within \"" + stack_.groups.back().name + "\" become part of it.");
+            note(
+                core::message("the groups within \"%1\" become part of it.", stack_.groups.back().name));
     }
 
     void read_layer(const Element& element) {
         if (stack_.pictures.size() == document::kMostLayers)
-            element.fail("there are more than " + std::to_string(document::kMostLayers) + " layers.");
+            element.fail("there are more than %1 layers.", document::kMostLayers);
         StackPicture picture{.source = element.text("src", ""), .look = look_of(element, "Layer")};
         if (picture.source.empty()) {
-            note("\"" + picture.look.name + "\" holds no picture and is left out.");
+            note(core::message("\"%1\" holds no picture and is left out.", picture.look.name));
             return;
         }
         check_way(element, picture.look.name);
@@ -153,11 +155,11 @@ class StackReader {
     void check_way(const Element& element, const std::string& name) {
         const std::string way = element.text("composite-op", "svg:src-over");
         if (way != "svg:src-over")
-            note("\"" + name + "\" was laid over the others by " + shortened(way) +
-                 " and is laid over them as paint.");
+            note(core::message("\"%1\" was laid over the others by %2 and is laid over them as paint.",
+                               name, shortened(way)));
     }
 
-    void note(std::string sentence) {
+    void note(core::Message sentence) {
         constexpr std::size_t kMostNotes = 20;
         const auto& notes = stack_.notes;
         if (notes.size() < kMostNotes && std::find(notes.begin(), notes.end(), sentence) == notes.end())

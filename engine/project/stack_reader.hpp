@@ -2,6 +2,7 @@
 // says.
 #pragma once
 
+#include "core/message.hpp"
 #include "document/actions/layer_actions.hpp"
 
 #include <cstddef>
@@ -26,7 +27,7 @@ struct RasterStack {
     double px_per_mm_x = 0.0, px_per_mm_y = 0.0;  ///< 0: not said
     std::vector<StackPicture> pictures;           ///< the lowest first
     std::vector<document::LayerLook> groups;
-    std::vector<std::string> notes;  ///< what of the file Pastoso leaves out, in sentences
+    std::vector<core::Message> notes;  ///< what of the file Pastoso leaves out, in sentences
 };
 
 /// Reads OpenRaster's stack.xml (version 0.0.6 of its specification). Groups within groups become part

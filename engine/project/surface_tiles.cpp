@@ -71,7 +71,7 @@ void read_entry(const ZipReader& archive, const TileEntry& entry, SurfaceTarget&
     const TileKind& kind = kind_of(entry);
     const Bytes content = read_packed(archive, entry.packed);
     for (std::size_t i = 0; i < entry.tiles.size(); ++i) {
-        const std::string fault = kind.decode(&content[i * kind.bytes], entry.tiles[i], target);
+        const core::Message fault = kind.decode(&content[i * kind.bytes], entry.tiles[i], target);
         if (!fault.empty()) archive.fail(entry.packed.entry, fault);
     }
 }
@@ -80,8 +80,8 @@ void read_entry(const ZipReader& archive, const TileEntry& entry, SurfaceTarget&
 void check_windows(const ZipReader& archive, const document::SurfaceState& surface) {
     for (const auto& awake : surface.solver.awake) {
         if (awake.activity.window_s > 0.0F && !awake.window_start)
-            archive.fail(kIndexEntry, "tile " + std::to_string(awake.tile) +
-                                          " moves, but there is no \"window\" that it started from.");
+            archive.fail(kIndexEntry, "tile %1 moves, but there is no \"window\" that it started from.",
+                         awake.tile);
     }
 }
 
@@ -98,8 +98,8 @@ void check_lower_strata(const ZipReader& archive, const film::FilmState& film) {
                 if (film::is_part_of(lower, film.thickness.read(tile)[cell],
                                      film.paint.read(tile)[cell]))
                     continue;
-                archive.fail(kIndexEntry, "cell (" + std::to_string(x) + ", " + std::to_string(y) +
-                                              ") holds a lower stratum that is no part of its paint.");
+                archive.fail(kIndexEntry,
+                             "cell (%1, %2) holds a lower stratum that is no part of its paint.", x, y);
             }
     }
 }
@@ -208,7 +208,7 @@ Bytes read_packed(const ZipReader& archive, const PackedEntry& packed) {
     try {
         return packing::unpacked(frame, packed.size);
     } catch (const core::InputError& error) {
-        archive.fail(packed.entry, error.what());
+        archive.fail(packed.entry, error.message());
     }
 }
 

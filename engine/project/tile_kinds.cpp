@@ -40,7 +40,7 @@ struct Thickness {
     using Value = std::int32_t;
     static auto& of(auto& surface) { return surface.film.thickness; }
     static bool is_possible(Value quanta) { return quanta >= 0 && quanta <= film::kMaxThickness_quanta; }
-    static constexpr const char* kWhat = "a thickness";
+    static constexpr auto kWhat = core::Pattern<0>("a thickness");
 };
 struct SmoothThickness : Thickness {
     static constexpr bool kSmooth = true;
@@ -52,7 +52,7 @@ struct Paint {
     static bool is_possible(const Value& cell) {
         return std::all_of(cell.begin(), cell.end(), [](std::int32_t channel) { return channel >= 0; });
     }
-    static constexpr const char* kWhat = "an amount of paint";
+    static constexpr auto kWhat = core::Pattern<0>("an amount of paint");
 };
 /// That the lower stratum is no more than the whole is looked at when both are there.
 struct LowerThickness : SmoothThickness {
@@ -68,13 +68,13 @@ struct WorkedThickness : Thickness {
 };
 struct Media : Paint {
     static auto& of(auto& surface) { return surface.film.media.foreign; }
-    static constexpr const char* kWhat = "an amount of a medium";
+    static constexpr auto kWhat = core::Pattern<0>("an amount of a medium");
 };
 struct VelocityX {
     using Value = float;
     static auto& of(auto& surface) { return surface.film.velocity_x; }
     static bool is_possible(Value speed) { return is_within(speed, -kFastest_mm_s, kFastest_mm_s); }
-    static constexpr const char* kWhat = "a velocity";
+    static constexpr auto kWhat = core::Pattern<0>("a velocity");
 };
 struct VelocityY : VelocityX {
     static auto& of(auto& surface) { return surface.film.velocity_y; }
@@ -83,13 +83,13 @@ struct Support {
     using Value = float;
     static auto& of(auto& surface) { return surface.film.support_mm; }
     static bool is_possible(Value height) { return is_within(height, -kHighest_mm, kHighest_mm); }
-    static constexpr const char* kWhat = "a height of the support";
+    static constexpr auto kWhat = core::Pattern<0>("a height of the support");
 };
 struct SolubleThickness {
     using Value = std::int32_t;
     static auto& of(auto& surface) { return surface.film.strata.soluble_thickness; }
     static bool is_possible(Value quanta) { return quanta >= 0 && quanta <= kMostSoluble_quanta; }
-    static constexpr const char* kWhat = "a thickness of dry paint";
+    static constexpr auto kWhat = core::Pattern<0>("a thickness of dry paint");
 };
 struct SolublePigment {
     using Value = film::PigmentCell;
@@ -98,7 +98,7 @@ struct SolublePigment {
     static bool is_possible(const Value& cell) {
         return std::all_of(cell.begin(), cell.end(), [](std::int32_t channel) { return channel >= 0; });
     }
-    static constexpr const char* kWhat = "an amount of dry pigment";
+    static constexpr auto kWhat = core::Pattern<0>("an amount of dry pigment");
 };
 struct Optics {
     using Value = film::StrataOptics;
@@ -115,39 +115,38 @@ struct Optics {
         }
         return true;
     }
-    static constexpr const char* kWhat = "strata that give more light than they get";
+    static constexpr auto kWhat = core::Pattern<0>("strata that give more light than they get");
 };
 struct Uppermost {
     using Value = film::PigmentMixture;
     static auto& of(auto& surface) { return surface.film.strata.uppermost; }
     static bool is_possible(const Value&) { return true; }
-    static constexpr const char* kWhat = "a mixture";
+    static constexpr auto kWhat = core::Pattern<0>("a mixture");
 };
 
 /// Cells beyond the canvas, in the tiles on its edges, mean nothing: what is impossible there is put to
 /// nothing. On the canvas it is an error.
 template <class Value, class IsPossible>
-std::string checked(Value* values, const grid::Shape& shape, int tile, const char* what,
-                    const IsPossible& is_possible) {
+core::Message checked(Value* values, const grid::Shape& shape, int tile, core::Pattern<0> what,
+                      const IsPossible& is_possible) {
     const grid::Rect inside = shape.tile_cells(tile);
     for (int cell = 0; cell < kTileCells; ++cell) {
         if (is_possible(values[cell])) continue;
         const int x = cell % grid::kTileSize, y = cell / grid::kTileSize;
-        if (x < inside.width() && y < inside.height()) {
-            return "cell (" + std::to_string(inside.x0 + x) + ", " + std::to_string(inside.y0 + y) +
-                   ") holds " + what + " that cannot be.";
-        }
+        if (x < inside.width() && y < inside.height())
+            return core::message("cell (%1, %2) holds %3 that cannot be.", inside.x0 + x, inside.y0 + y,
+                                 core::message(what));
         values[cell] = Value{};
     }
-    return "";
+    return {};
 }
 
 /// Hands a block to `take` when all of it is possible; what is refused is not used at all. Returns what
 /// is wrong.
 template <class Value, class IsPossible, class Take>
-std::string take_checked(grid::TileBlock<Value> block, const grid::Shape& shape, int tile,
-                         const char* what, const IsPossible& is_possible, const Take& take) {
-    std::string fault = checked(block.write(), shape, tile, what, is_possible);
+core::Message take_checked(grid::TileBlock<Value> block, const grid::Shape& shape, int tile,
+                           core::Pattern<0> what, const IsPossible& is_possible, const Take& take) {
+    core::Message fault = checked(block.write(), shape, tile, what, is_possible);
     if (fault.empty()) take(std::move(block));
     return fault;
 }
@@ -203,7 +202,7 @@ void encode_field(const SurfaceSource& source, int tile, std::byte* out) {
 }
 
 template <class Field>
-std::string decode_field(const std::byte* in, int tile, SurfaceTarget& target) {
+core::Message decode_field(const std::byte* in, int tile, SurfaceTarget& target) {
     using Value = typename Field::Value;
     return take_checked(
         decoded_values<Value>(in, expectation<Field>(target.surface, tile)), target.surface.film.shape,
@@ -227,7 +226,7 @@ void encode_support(const SurfaceSource& source, int tile, std::byte* out) {
     encode_values(heights_mm.data(), {}, out);
 }
 
-std::string decode_support(const std::byte* in, int tile, SurfaceTarget& target) {
+core::Message decode_support(const std::byte* in, int tile, SurfaceTarget& target) {
     return take_checked(decoded_values<float>(in, {}), target.surface.film.shape, tile, Support::kWhat,
                         &Support::is_possible, [&](auto heights_mm) {
                             Support::of(target.surface)
@@ -253,9 +252,9 @@ grid::TileBlock<film::StrataOptics> hiding_strata(const grid::TileBlock<pigment:
 
 /// Of format 1: the reflectance of strata and support together. What lay below is not known apart, so it
 /// is hidden for good.
-std::string decode_ground(const std::byte* in, int tile, SurfaceTarget& target) {
+core::Message decode_ground(const std::byte* in, int tile, SurfaceTarget& target) {
     return take_checked(decoded_values<pigment::Bands>(in, {}), target.surface.film.shape, tile,
-                        "a reflectance", &is_reflectance, [&](const auto& ground) {
+                        core::Pattern<0>("a reflectance"), &is_reflectance, [&](const auto& ground) {
                             target.surface.film.strata.optics.replace(tile, hiding_strata(ground));
                         });
 }
@@ -303,13 +302,13 @@ void encode_awake(const SurfaceSource& source, int tile, std::byte* out) {
     std::memcpy(out, record.data(), sizeof record);
 }
 
-std::string decode_awake(const std::byte* in, int tile, SurfaceTarget& target) {
+core::Message decode_awake(const std::byte* in, int tile, SurfaceTarget& target) {
     ActivityRecord record;
     std::memcpy(record.data(), in, sizeof record);
     const film::TileActivity activity = activity_of(record);
-    if (!is_possible(activity)) return "tile " + std::to_string(tile) + " moves as no paint can.";
+    if (!is_possible(activity)) return core::message("tile %1 moves as no paint can.", tile);
     target.surface.solver.awake[target.awake_at[tile]].activity = activity;
-    return "";
+    return {};
 }
 
 std::vector<int> window_tiles(const SurfaceSource& source) {
@@ -323,9 +322,9 @@ void encode_window(const SurfaceSource& source, int tile, std::byte* out) {
     encode_values(listed(source.surface.solver.awake, tile).window_start.read(), {}, out);
 }
 
-std::string decode_window(const std::byte* in, int tile, SurfaceTarget& target) {
+core::Message decode_window(const std::byte* in, int tile, SurfaceTarget& target) {
     if (target.awake_at[tile] < 0)
-        return "tile " + std::to_string(tile) + " sleeps, and yet its motion is followed.";
+        return core::message("tile %1 sleeps, and yet its motion is followed.", tile);
     auto& window_start = target.surface.solver.awake[target.awake_at[tile]].window_start;
     return take_checked(decoded_values<std::int32_t>(in, {}), target.surface.film.shape, tile,
                         Thickness::kWhat, &Thickness::is_possible,
@@ -343,10 +342,10 @@ void encode_pressure(const SurfaceSource& source, int tile, std::byte* out) {
     encode_values(listed(source.surface.solver.pressures, tile).pressure_mm2_s2.read(), {}, out);
 }
 
-std::string decode_pressure(const std::byte* in, int tile, SurfaceTarget& target) {
+core::Message decode_pressure(const std::byte* in, int tile, SurfaceTarget& target) {
     auto& pressure = target.surface.solver.pressures[target.pressure_at[tile]].pressure_mm2_s2;
     return take_checked(
-        decoded_values<float>(in, {}), target.surface.film.shape, tile, "a pressure",
+        decoded_values<float>(in, {}), target.surface.film.shape, tile, core::Pattern<0>("a pressure"),
         [](float value) {
             return is_within(value, -kStrongestPressure_mm2_s2, kStrongestPressure_mm2_s2);
         },

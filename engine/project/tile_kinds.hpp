@@ -1,11 +1,11 @@
 // The kinds of data that tiles of a painted surface have, each with its form in a project file.
 #pragma once
 
+#include "core/message.hpp"
 #include "document/painting_state.hpp"
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace pastoso::project {
@@ -35,7 +35,7 @@ struct TileKind {
     void (*encode)(const SurfaceSource& source, int tile, std::byte* out);
     /// Returns what is wrong with the values, as a sentence; empty when they are what a painting can
     /// hold. Different tiles may be decoded at the same time.
-    std::string (*decode)(const std::byte* in, int tile, SurfaceTarget& target);
+    core::Message (*decode)(const std::byte* in, int tile, SurfaceTarget& target);
 };
 
 /// In the order of the file.

@@ -79,9 +79,8 @@ void read_xml(std::string_view text, const std::string& name, const XmlHandler& 
         XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
     if (reading.thrown) std::rethrow_exception(reading.thrown);
     if (status == XML_STATUS_OK) return;
-    throw core::located_error(
-        name, reading.line(),
-        std::string("this is not valid XML (") + XML_ErrorString(XML_GetErrorCode(parser.get())) + ").");
+    throw core::located_error(name, reading.line(), "this is not valid XML (%1).",
+                              XML_ErrorString(XML_GetErrorCode(parser.get())));
 }
 
 }  // namespace pastoso::project

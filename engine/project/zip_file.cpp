@@ -38,7 +38,7 @@ struct CloseFile {
 };
 
 [[noreturn]] void fail_writing(const std::string& name, zip_error_t* error) {
-    throw core::InputError(name + ": cannot be written (" + text_of(error) + ").");
+    throw core::InputError("%1: cannot be written (%2).", name, text_of(error));
 }
 
 Archive create(ZipDestination& destination, const std::string& name) {
@@ -154,15 +154,15 @@ std::FILE* stream_of(const std::filesystem::path& path) {
     if (stream != nullptr) return stream;
     const std::string reason = std::strerror(errno);
     if (copy >= 0) ::close(copy);
-    throw core::InputError(path.string() + ": cannot be opened (" + reason + ").");
+    throw core::InputError("%1: cannot be opened (%2).", path.string(), reason);
 }
 
 Archive opened(zip_source_t* source, const std::string& name, zip_error_t* error) {
     Archive archive(source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, error));
     if (archive) return archive;
     zip_source_free(source);
-    throw core::InputError(name + ": is no painting of Pastoso, or its end is missing (" +
-                           zip_error_strerror(error) + ").");
+    throw core::InputError("%1: is no painting of Pastoso, or its end is missing (%2).", name,
+                           zip_error_strerror(error));
 }
 
 }  // namespace
@@ -226,8 +226,8 @@ ZipReader::ZipReader(std::span<const std::byte> archive, std::string name) : nam
 
 ZipReader::~ZipReader() = default;
 
-void ZipReader::fail(const std::string& entry, const std::string& sentence) const {
-    throw core::InputError(name_ + ", " + entry + ": " + sentence);
+void ZipReader::fail(const std::string& entry, const core::Message& sentence) const {
+    throw core::InputError("%1, %2: %3", name_, entry, sentence);
 }
 
 bool ZipReader::has(const std::string& entry) const {
@@ -248,19 +248,17 @@ Bytes ZipReader::read(const std::string& entry, std::size_t most_bytes) const {
     zip_stat_t stat;
     if (zip_stat(archive, entry.c_str(), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0)
         fail(entry, "is missing.");
-    if (stat.size > most_bytes) {
-        fail(entry, "holds " + std::to_string(stat.size) + " bytes, but at most " +
-                        std::to_string(most_bytes) + " are possible here.");
-    }
+    if (stat.size > most_bytes)
+        fail(entry, "holds %1 bytes, but at most %2 are possible here.", stat.size, most_bytes);
     Bytes content(stat.size);
     const std::unique_ptr<zip_file_t, CloseFile> file(zip_fopen_index(archive, stat.index, 0));
-    if (!file) fail(entry, "cannot be read (" + text_of(zip_get_error(archive)) + ").");
+    if (!file) fail(entry, "cannot be read (%1).", text_of(zip_get_error(archive)));
     const zip_int64_t count = zip_fread(file.get(), content.data(), content.size());
     std::byte beyond;
     // The checksum of the archive is compared when its end is met.
     const bool ended = zip_fread(file.get(), &beyond, 1) == 0;
     if (count < 0 || static_cast<std::size_t>(count) != content.size() || !ended)
-        fail(entry, "is damaged (" + text_of(zip_file_get_error(file.get())) + ").");
+        fail(entry, "is damaged (%1).", text_of(zip_file_get_error(file.get())));
     read_bytes_ += stat.comp_size;
     return content;
 }

@@ -1,6 +1,7 @@
 // Zip archives by libzip: written in one go, read entry by entry.
 #pragma once
 
+#include "core/message.hpp"
 #include "core/output_file.hpp"
 #include "core/progress.hpp"
 #include "packing/packed_bytes.hpp"
@@ -63,7 +64,12 @@ class ZipReader {
     /// InputError "NAME, ENTRY: ..." when it is missing, larger or damaged.
     Bytes read(const std::string& entry, std::size_t most_bytes) const;
 
-    [[noreturn]] void fail(const std::string& entry, const std::string& sentence) const;
+    [[noreturn]] void fail(const std::string& entry, const core::Message& sentence) const;
+    template <class... Arguments>
+    [[noreturn]] void fail(const std::string& entry, core::Pattern<sizeof...(Arguments)> pattern,
+                           const Arguments&... arguments) const {
+        fail(entry, core::message(pattern, arguments...));
+    }
 
   private:
     struct Archive;

@@ -43,7 +43,7 @@ FoundAction read_action(const files::JsonPlace& entry, ValueReader& values) {
         entry.allow_only({"tick", key});
         found = FoundAction{read_fields<A>(*content, values), *content};
     });
-    if (!found) entry.fail("expected one of " + entry_keys() + " beside the tick.");
+    if (!found) entry.fail("expected one of %1 beside the tick.", entry_keys());
     return *found;
 }
 

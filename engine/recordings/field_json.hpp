@@ -174,7 +174,7 @@ class FieldReader {
         if ((read_if_named(std::type_identity<Forms>{}) || ...)) return;
         std::string names;
         ((names += (names.empty() ? "" : ", ") + std::string(document::Table<Forms>::kName)), ...);
-        place.fail("\"" + name + "\" is not one of " + names + ".");
+        place.fail("\"%1\" is not one of %2.", name, names);
     }
 
     const files::JsonPlace& object_;

@@ -207,8 +207,8 @@ files::ExportStatus export_layers(const std::filesystem::path& path, const Expor
                                   const ChannelLayers& layers, core::ThreadPool& pool,
                                   const files::KeepGoing& keep_going) {
     if (!files::is_linear_format(path)) {
-        throw core::InputError(path.string() +
-                               ": only .exr files hold the layers' heights and normals.");
+        throw core::InputError("%1: only .exr files hold the layers' heights and normals.",
+                               path.string());
     }
     const shade::Lattice lattice = export_lattice(source);
     const files::ImageLayout layout = layout_of(source, lattice, layers);

@@ -143,8 +143,8 @@ std::vector<Path> map_paths(const Path& path) {
 
 void check_map_paths(const Path& path, const files::PictureEncoding& encoding) {
     if (!files::is_linear_format(path) && !files::holds(path, files::Sample::Uint16)) {
-        throw core::InputError(path.string() + ": maps are saved as .png, .tif or .exr; " +
-                               path.extension().string() + " files do not hold heights.");
+        throw core::InputError("%1: maps are saved as .png, .tif or .exr; %2 files do not hold heights.",
+                               path.string(), path.extension().string());
     }
     for (const Path& map : map_paths(path))
         files::check_picture_path(map, encoding);

@@ -42,7 +42,7 @@ film::Medium read_medium_numbers(const files::JsonPlace& place, const film::Medi
         numbers[item.key()] = item.value();
     }
     film::Medium medium;
-    place.guard([&] { medium = film::parse_medium(numbers.dump(), "this paint", like); });
+    place.guard([&] { medium = film::parse_medium(numbers.dump(), core::message("this paint"), like); });
     return medium;
 }
 

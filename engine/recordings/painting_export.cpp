@@ -22,9 +22,9 @@ constexpr double kSampling = 0.5;
 
 void check_relief_path(const std::filesystem::path& path) {
     if (!is_relief_path(path)) {
-        throw core::InputError(path.string() +
-                               ": a relief is saved as .stl, .ply or .obj; this name ends in none of "
-                               "them.");
+        throw core::InputError(
+            "%1: a relief is saved as .stl, .ply or .obj; this name ends in none of them.",
+            path.string());
     }
     files::check_writable(path);
 }
@@ -101,7 +101,7 @@ void check_export(const ExportChoice& choice) {
     if (choice.kind == ExportKind::Maps) return check_map_paths(choice.path, encoding);
     files::check_picture_path(choice.path, encoding);
     if (choice.kind == ExportKind::Layers && !files::is_linear_format(choice.path))
-        throw core::InputError(choice.path.string() + ": only .exr files hold layers.");
+        throw core::InputError("%1: only .exr files hold layers.", choice.path.string());
 }
 
 ExportReport export_painting(const PaintingState& painting, const ExportChoice& choice,

@@ -36,8 +36,8 @@ brush::PenSample read_sample(const files::JsonPlace& place) {
     const std::size_t count = place.size();
     if (count < 4 || count > 7) {
         place.fail(
-            "a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are " +
-            std::to_string(count) + ".");
+            "a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.",
+            count);
     }
     double numbers[7] = {};
     for (std::size_t i = 0; i < count; ++i)
@@ -67,10 +67,7 @@ class EventReader {
 
     std::int64_t read_tick(const files::JsonPlace& place) {
         const std::int64_t tick = place.integer(0, kMaxTick);
-        if (tick < last_tick_) {
-            place.fail("the tick " + std::to_string(tick) + " is earlier than " +
-                       std::to_string(last_tick_) + " before it.");
-        }
+        if (tick < last_tick_) place.fail("the tick %1 is earlier than %2 before it.", tick, last_tick_);
         last_tick_ = tick;
         return tick;
     }
@@ -93,10 +90,8 @@ class EventReader {
         if (named) values_.read(*named, stroke, surface);
         if (samples.size() == 0 && !continued) samples.fail("a stroke needs at least one sample.");
         const auto ticks = stroke.optional_entry("ticks");
-        if (ticks && ticks->size() != samples.size()) {
-            ticks->fail("there are " + std::to_string(ticks->size()) + " ticks for " +
-                        std::to_string(samples.size()) + " samples.");
-        }
+        if (ticks && ticks->size() != samples.size())
+            ticks->fail("there are %1 ticks for %2 samples.", ticks->size(), samples.size());
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const files::JsonPlace place = samples.element(i);
             const brush::PenSample sample = read_sample(place);
@@ -133,8 +128,8 @@ int read_arithmetic(const files::JsonPlace& root) {
     return arithmetic ? static_cast<int>(arithmetic->integer(1, document::kArithmetic)) : 1;
 }
 
-constexpr files::FileFormat kFormat{"pastoso-strokes", "a stroke recording", "stroke format",
-                                    kStrokeFormatVersion};
+constexpr files::FileFormat kFormat{"pastoso-strokes", core::Pattern<0>("a stroke recording"),
+                                    core::Pattern<0>("stroke format"), kStrokeFormatVersion};
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "recordings/stroke_ticks.hpp"
 
@@ -17,7 +16,9 @@ namespace {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
 constexpr std::size_t kColumns = 4;
-constexpr std::array<const char*, kColumns> kColumnNames = {"time", "x", "y", "pressure"};
+constexpr std::array<core::Pattern<0>, kColumns> kColumnNames = {
+    core::Pattern<0>("time"), core::Pattern<0>("x"), core::Pattern<0>("y"),
+    core::Pattern<0>("pressure")};
 constexpr std::string_view kBlanks = " \t\r\v\f";
 
 /// Far beyond any screen or tablet, in whatever unit.
@@ -61,10 +62,8 @@ class TraceReader {
         ++line_number_;
         const std::vector<std::string_view> words = words_of(take_until(line, "#"));
         if (words.empty()) return;
-        if (words.size() != kColumns) {
-            fail("expected 4 numbers, seconds x y pressure, found " + std::to_string(words.size()) +
-                 ".");
-        }
+        if (words.size() != kColumns)
+            fail("expected 4 numbers, seconds x y pressure, found %1.", words.size());
         std::array<double, kColumns> row;
         for (std::size_t i = 0; i < kColumns; ++i)
             row[i] = number(words[i], kColumnNames[i]);
@@ -74,42 +73,38 @@ class TraceReader {
     PenTrace finish() && {
         if (trace_.strokes.empty()) {
             throw core::InputError(
-                name_ +
-                ": holds no stroke; expected lines \"seconds x y pressure\", some with "
-                "a pressure above 0.");
+                "%1: holds no stroke; expected lines \"seconds x y pressure\", some with a pressure "
+                "above 0.",
+                name_);
         }
         return std::move(trace_);
     }
 
   private:
-    [[noreturn]] void fail(const std::string& message) const {
-        throw core::located_error(name_, line_number_, message);
+    template <class... Arguments>
+    [[noreturn]] void fail(core::Pattern<sizeof...(Arguments)> pattern,
+                           const Arguments&... arguments) const {
+        throw core::located_error(name_, line_number_, core::message(pattern, arguments...));
     }
 
-    double number(std::string_view word, const char* column) const {
+    double number(std::string_view word, core::Pattern<0> column) const {
         double value = 0.0;
         const char* digits = word.data() + (word.size() > 1 && word.front() == '+' ? 1 : 0);
         const auto result = std::from_chars(digits, word.data() + word.size(), value);
-        if (result.ec != std::errc() || result.ptr != word.data() + word.size()) {
-            fail(std::string("the ") + column + " " + quoted(word) + " is not a number.");
-        }
-        if (!(std::abs(value) <= kLargestNumber)) {
-            fail(std::string("the ") + column + " " + quoted(word) + " is not between -1e7 and 1e7.");
-        }
+        if (result.ec != std::errc() || result.ptr != word.data() + word.size())
+            fail("the %1 %2 is not a number.", core::message(column), quoted(word));
+        if (!(std::abs(value) <= kLargestNumber))
+            fail("the %1 %2 is not between -1e7 and 1e7.", core::message(column), quoted(word));
         return value;
     }
 
     void add(const brush::PenSample& sample) {
-        if (sample.time_s < 0.0 || sample.time_s > kLongestTime_s) {
-            fail("the time " + core::number_text(sample.time_s) + " s is not between 0 and 86400 s.");
-        }
-        if (sample.time_s < last_time_s_) {
-            fail("the time " + core::number_text(sample.time_s) + " s is earlier than " +
-                 core::number_text(last_time_s_) + " s before it.");
-        }
-        if (sample.pressure < 0.0 || sample.pressure > 1.0) {
-            fail("the pressure " + core::number_text(sample.pressure) + " is not between 0 and 1.");
-        }
+        if (sample.time_s < 0.0 || sample.time_s > kLongestTime_s)
+            fail("the time %1 s is not between 0 and 86400 s.", sample.time_s);
+        if (sample.time_s < last_time_s_)
+            fail("the time %1 s is earlier than %2 s before it.", sample.time_s, last_time_s_);
+        if (sample.pressure < 0.0 || sample.pressure > 1.0)
+            fail("the pressure %1 is not between 0 and 1.", sample.pressure);
         last_time_s_ = sample.time_s;
         const bool down = sample.pressure > 0.0;
         if (down && !pen_is_down_) trace_.strokes.emplace_back();

@@ -30,8 +30,8 @@ bool is_relief_path(const std::filesystem::path& path) {
 files::ExportStatus export_relief(const std::filesystem::path& path, const Relief& relief,
                                   const files::KeepGoing& keep_going) {
     if (!is_relief_path(path)) {
-        throw core::InputError(path.string() +
-                               ": a relief is saved as .stl, .ply or .obj; this name ends otherwise.");
+        throw core::InputError("%1: a relief is saved as .stl, .ply or .obj; this name ends otherwise.",
+                               path.string());
     }
     return files::write_triangles(path, ReliefSource(relief), files::ObjUp::Z, keep_going);
 }

@@ -2,24 +2,19 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "core/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace pastoso::recordings {
 namespace {
 
-using core::number_text;
-
 constexpr double kMostStepsByDefault = 1000.0;
 
-void check_range(const char* what, double value, double least, double most) {
+void check_range(const core::Message& what, double value, double least, double most) {
     if (value >= least && value <= most) return;
-    throw core::InputError(std::string("The relief's ") + what + " is " + number_text(value) +
-                           ", outside the range from " + number_text(least) + " to " +
-                           number_text(most) + ".");
+    throw core::InputError("The relief's %1 is %2, outside the range from %3 to %4.", what, value, least,
+                           most);
 }
 
 /// The column and the row of a vertex of the border, counted from the upper left corner down the left
@@ -57,17 +52,19 @@ shade::Lattice lattice_of(const grid::Shape& cells, int columns, int rows) {
 
 void check_options(double cell_mm, const ReliefOptions& options) {
     constexpr double kFewestCells = 1.0 / 64.0, kMostCells = 64.0;
-    check_range("base in mm", options.base_mm, 0.1, 100.0);
-    check_range("exaggeration", options.exaggeration, 0.01, 100.0);
+    check_range(core::message("base in mm"), options.base_mm, 0.1, 100.0);
+    check_range(core::message("exaggeration"), options.exaggeration, 0.01, 100.0);
     if (options.resolution_mm == 0.0) return;
-    check_range("resolution in mm", options.resolution_mm, cell_mm * kFewestCells, cell_mm * kMostCells);
+    check_range(core::message("resolution in mm"), options.resolution_mm, cell_mm * kFewestCells,
+                cell_mm * kMostCells);
 }
 
 void check_count(int columns, int rows) {
     if (static_cast<double>(columns) * rows <= kMaxReliefVertices) return;
-    throw core::InputError("A relief of " + std::to_string(columns) + " x " + std::to_string(rows) +
-                           " points is more than the 25 million that can be made; a coarser "
-                           "resolution takes fewer.");
+    throw core::InputError(
+        "A relief of %1 x %2 points is more than the 25 million that can be made; a coarser resolution "
+        "takes fewer.",
+        columns, rows);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ constexpr const char* kBundled = "scenes";  ///< the folder of resources
 
 constexpr std::size_t kMaxFileBytes = std::size_t{16} << 20;
 
-constexpr files::FileFormat kFormat{"pastoso-scene", "a scene", "scene format", kSceneFormatVersion};
+constexpr files::FileFormat kFormat{"pastoso-scene", core::Pattern<0>("a scene"),
+                                    core::Pattern<0>("scene format"), kSceneFormatVersion};
 
 /// Names of runs name folders.
 std::string read_run_name(const files::JsonPlace& place) {
@@ -38,10 +39,9 @@ std::vector<SceneRun> read_runs(const files::JsonPlace& runs, const files::Json&
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const files::JsonPlace place = runs.element(i);
         const std::string name = read_run_name(place.entry("name"));
-        if (!names.insert(name).second) place.fail("there is another run \"" + name + "\".");
+        if (!names.insert(name).second) place.fail("there is another run \"%1\".", name);
         for (const char* key : {"format", "version", "title", "cell_units", "threads", "runs"}) {
-            if (place.optional_entry(key))
-                place.fail(std::string("\"") + key + "\" stands once for the whole file.");
+            if (place.optional_entry(key)) place.fail("\"%1\" stands once for the whole file.", key);
         }
         files::Json merged = file, change = place.value();
         merged.erase("runs");
@@ -70,8 +70,8 @@ void check_nesting(std::string_view text, const std::string& name) {
         else if (!quoted && (letter == ']' || letter == '}'))
             --depth;
         if (depth > kDeepest)
-            throw core::InputError(name + ": lists and objects stand more than " +
-                                   std::to_string(kDeepest) + " deep in each other.");
+            throw core::InputError("%1: lists and objects stand more than %2 deep in each other.", name,
+                                   kDeepest);
     }
 }
 

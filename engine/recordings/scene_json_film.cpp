@@ -1,5 +1,4 @@
 // Support and film of a scene file.
-#include "core/number_text.hpp"
 #include "core/text.hpp"
 #include "document/actions/actions.hpp"
 #include "document/paint_mixing.hpp"
@@ -11,8 +10,6 @@
 
 namespace pastoso::recordings {
 namespace {
-
-using core::number_text;
 
 constexpr double kMaxPosition_mm = 1e5;
 constexpr double kShortest_mm = 1e-4;
@@ -51,7 +48,7 @@ double read_length(const files::JsonPlace& parent, const std::string& key,
 film::Relief read_bundled_relief(const files::JsonPlace& place, const std::string& name,
                                  const SceneContext& context) {
     if (context.units.cells)
-        place.fail("\"" + name + "\" is known in millimetres only; in cells describe a \"weave\".");
+        place.fail("\"%1\" is known in millimetres only; in cells describe a \"weave\".", name);
     if (!place.value().is_object()) return film::BundledRelief{name, 0.0};
     place.allow_only({"kind", "relief_mm"});
     return film::BundledRelief{name, number_between_or(place, "relief_mm", 0.0, 5.0, 0.0)};
@@ -117,8 +114,8 @@ void read_relief(const files::JsonPlace& place, const SceneContext& context,
     } else if (name == "bump") {
         reliefs.push_back(read_bump(place, context));
     } else {
-        kind.fail("there is no support \"" + name + "\"; the supports are flat, " +
-                  core::listed(film::support_names()) + ", weave, image, ramp and bump.");
+        kind.fail("there is no support \"%1\"; the supports are flat, %2, weave, image, ramp and bump.",
+                  name, core::listed(film::support_names()));
     }
 }
 
@@ -168,8 +165,10 @@ film::Form read_form(const files::JsonPlace& place, const SceneContext& context)
         allow("file");
         return read_map(place.entry("file"), context);
     }
-    kind.fail("there is no form \"" + name +
-              "\"; the forms are slab, box, disc, cap, gaussian, cosine, noise and image.");
+    kind.fail(
+        "there is no form \"%1\"; the forms are slab, box, disc, cap, gaussian, cosine, noise and "
+        "image.",
+        name);
 }
 
 /// "PB29", or a mixture [["PB29", 1], ["PW6", 0.5]].
@@ -206,8 +205,9 @@ film::Primitive read_primitive(const files::JsonPlace& place, const SceneContext
     if (const auto* cap = std::get_if<film::SphericalCap>(&primitive.form)) {
         if (primitive.thickness_mm <= 0.0 || primitive.thickness_mm > cap->radius_mm) {
             place.fail(
-                "a cap is at most a half sphere: its thickness " + number_text(primitive.thickness_mm) +
-                " must lie above 0 and not above its radius " + number_text(cap->radius_mm) + ".");
+                "a cap is at most a half sphere: its thickness %1 must lie above 0 and not above its "
+                "radius %2.",
+                primitive.thickness_mm, cap->radius_mm);
         }
     }
     return primitive;

@@ -1,7 +1,6 @@
 // Paint and forces of a scene file, and numbers in their ranges.
 #include "recordings/scene_json_parts.hpp"
 
-#include "core/number_text.hpp"
 #include "core/units.hpp"
 #include "recordings/paint_json.hpp"
 
@@ -9,8 +8,6 @@
 
 namespace pastoso::recordings {
 namespace {
-
-using core::number_text;
 
 /// Constants per density and in millimetres become SI with the density of water.
 film::Medium read_paint_in_cells(const files::JsonPlace& place) {
@@ -49,10 +46,8 @@ film::Gravity read_tilt(const files::JsonPlace& place, const SceneContext& conte
 
 double number_between(const files::JsonPlace& place, double least, double most) {
     const double number = place.number();
-    if (!(number >= least && number <= most)) {
-        place.fail(number_text(number) + " is not between " + number_text(least) + " and " +
-                   number_text(most) + ".");
-    }
+    if (!(number >= least && number <= most))
+        place.fail("%1 is not between %2 and %3.", number, least, most);
     return number;
 }
 

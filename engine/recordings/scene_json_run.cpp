@@ -1,6 +1,5 @@
 // One run of a scene file: the film, how it is stepped, and what is written down.
 #include "core/memory.hpp"
-#include "core/number_text.hpp"
 #include "document/canvas.hpp"
 #include "recordings/scene_json_parts.hpp"
 
@@ -11,8 +10,6 @@
 
 namespace pastoso::recordings {
 namespace {
-
-using core::number_text;
 
 constexpr double kLongestRun_s = 1e6;
 constexpr double kMostRows = 1e6;
@@ -31,7 +28,7 @@ Value read_choice(const files::JsonPlace& place, const std::array<Choice<Value>,
         if (text == choice.name) return choice.value;
         names += (names.empty() ? "" : ", ") + std::string(choice.name);
     }
-    place.fail("\"" + text + "\" is none of " + names + ".");
+    place.fail("\"%1\" is none of %2.", text, names);
 }
 
 constexpr std::array kEdges = {Choice<film::Edge>{"periodic", film::Edge::Periodic},
@@ -75,8 +72,7 @@ std::string gib_text(std::size_t bytes) {
 int cells_along(const files::JsonPlace& side, double cell_mm) {
     const double cells = std::round(side.number() / cell_mm);
     if (!(cells >= 1.0 && cells <= document::kMaxCellsPerSide)) {
-        side.fail("this makes " + number_text(cells) + " cells; 1 to " +
-                  std::to_string(document::kMaxCellsPerSide) + " are possible.");
+        side.fail("this makes %1 cells; 1 to %2 are possible.", cells, document::kMaxCellsPerSide);
     }
     return static_cast<int>(cells);
 }
@@ -90,9 +86,8 @@ void read_size(const files::JsonPlace& place, const SceneContext& context, film:
     const std::size_t needed = document::estimated_bytes(scene.shape);
     const std::size_t available = core::available_memory_bytes();
     if (needed > available) {
-        size.fail(std::to_string(scene.shape.width) + " x " + std::to_string(scene.shape.height) +
-                  " cells need about " + gib_text(needed) + "; " + gib_text(available) +
-                  " of memory are free.");
+        size.fail("%1 x %2 cells need about %3; %4 of memory are free.", scene.shape.width,
+                  scene.shape.height, gib_text(needed), gib_text(available));
     }
 }
 
@@ -175,8 +170,10 @@ SceneOutput read_output(const files::JsonPlace& place, const SceneContext& conte
     const double pixels =
         output.picture_scale * output.picture_scale * scene.shape.width * scene.shape.height;
     if (pixels > kMaxPicturePixels)
-        place.fail("pictures of " + number_text(std::round(pixels / 1e6)) +
-                   " million pixels are too large; choose a \"picture_scale\" for at most 100 million.");
+        place.fail(
+            "pictures of %1 million pixels are too large; choose a \"picture_scale\" for at most 100 "
+            "million.",
+            std::round(pixels / 1e6));
     if (const auto light = place.optional_entry("light")) output.lighting = read_light(*light);
     if (const auto magnified = place.optional_entry("magnified"))
         output.magnification = read_magnification(*magnified, scene);

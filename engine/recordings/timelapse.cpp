@@ -112,8 +112,8 @@ void claim_folder(const Path& folder, const std::string& record) {
         core::write_text_file(path, record);
         return;
     }
-    throw core::InputError(folder.string() +
-                           ": holds frames of another time-lapse; name another folder, or remove them.");
+    throw core::InputError(
+        "%1: holds frames of another time-lapse; name another folder, or remove them.", folder.string());
 }
 
 /// As far as the last of them.
@@ -199,9 +199,9 @@ void check_timelapse(const TimelapseChoice& choice) {
     if (files::is_video_path(choice.path)) {
         files::check_video_path(choice.path);
     } else if (choice.path.has_extension() && !core::is_folder(choice.path)) {
-        throw core::InputError(choice.path.string() +
-                               ": a video is saved as .mp4, .mkv or .webm, and a folder's name has no "
-                               "ending.");
+        throw core::InputError(
+            "%1: a video is saved as .mp4, .mkv or .webm, and a folder's name has no ending.",
+            choice.path.string());
     }
 }
 

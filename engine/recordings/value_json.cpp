@@ -77,7 +77,8 @@ void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::TakeB
         return;
     }
     place.guard([&] {
-        const brush::Preset preset = brush::parse_preset(place.value().dump(), "the preset");
+        const brush::Preset preset =
+            brush::parse_preset(place.value().dump(), core::message("the preset"));
         take.preset = preset.name;
         take.definition = brush::preset_to_json(preset);
     });
@@ -107,8 +108,8 @@ void ValueReader::read(const JsonPlace& place, const JsonPlace&, Combination& ho
         how = combination;
         return;
     }
-    place.fail("there is no way \"" + wanted +
-               "\" to select; they are replace, add, subtract and intersect.");
+    place.fail("there is no way \"%1\" to select; they are replace, add, subtract and intersect.",
+               wanted);
 }
 
 void ValueReader::read(const JsonPlace& place, const JsonPlace&,
@@ -138,8 +139,7 @@ void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::Share
 void ValueReader::read(const JsonPlace& place, const JsonPlace&, Surface& surface) {
     const std::string name = place.text();
     if (name != "canvas" && name != "well")
-        place.fail("there is no surface \"" + name +
-                   "\"; a stroke is on the \"canvas\" or the \"well\".");
+        place.fail("there is no surface \"%1\"; a stroke is on the \"canvas\" or the \"well\".", name);
     surface = name == "well" ? Surface::Well : Surface::Canvas;
 }
 

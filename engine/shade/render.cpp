@@ -171,8 +171,9 @@ void render_block(const Canvas& canvas, const Frame& frame, const Rect& block, c
 
 Lattice picture_lattice(const grid::Shape& canvas, const Rect& cells, double scale) {
     if (!(scale >= kSmallestScale && scale <= kLargestScale)) {
-        throw core::InputError("The picture's scale is " + std::to_string(scale) +
-                               " pixels per cell, outside the range from 1/64 to 64.");
+        throw core::InputError(
+            "The picture's scale is %1 pixels per cell, outside the range from 1/64 to 64.",
+            std::to_string(scale));
     }
     if (cells.empty() || grid::intersection(cells, canvas.cells()) != cells) {
         throw core::InputError(
@@ -181,8 +182,9 @@ Lattice picture_lattice(const grid::Shape& canvas, const Rect& cells, double sca
     const long width = std::max(1L, std::lround(cells.width() * scale));
     const long height = std::max(1L, std::lround(cells.height() * scale));
     if (width > kMaxSide_px || height > kMaxSide_px) {
-        throw core::InputError("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                               " pixels is larger than the 32768 a side that can be made.");
+        throw core::InputError(
+            "A picture of %1 x %2 pixels is larger than the 32768 a side that can be made.", width,
+            height);
     }
     return {static_cast<double>(cells.x0), static_cast<double>(cells.y0), scale, scale,
             static_cast<int>(width),       static_cast<int>(height)};
@@ -226,9 +228,9 @@ pigment::LinearImage render(const film::FilmState& film, const pigment::Bands& g
                             const RenderSettings& settings, core::ThreadPool& pool) {
     const Lattice lattice = picture_lattice(film.shape, cells, settings.scale);
     if (static_cast<double>(lattice.width) * lattice.height > kMaxPixels) {
-        throw core::InputError("A picture of " + std::to_string(lattice.width) + " x " +
-                               std::to_string(lattice.height) +
-                               " pixels is larger than the 268 million that can be rendered.");
+        throw core::InputError(
+            "A picture of %1 x %2 pixels is larger than the 268 million that can be rendered.",
+            lattice.width, lattice.height);
     }
     pigment::LinearImage image;
     Renderer(film, ground, lattice, settings, pool)

@@ -12,20 +12,19 @@ constexpr double kNormalReflection = 0.04;  // ((1.5 - 1) / (1.5 + 1))^2
 /// How sharply a shadow may end: 0.05 mm at four cells a millimetre.
 constexpr double kLeastSoftness_cells = 0.2;
 
-void check_range(const char* what, double value, double low, double high) {
+void check_range(const core::Message& what, double value, double low, double high) {
     if (value >= low && value <= high) return;
-    throw core::InputError("The light's " + std::string(what) + " is " + std::to_string(value) +
-                           ", outside the range from " + std::to_string(low) + " to " +
-                           std::to_string(high) + ".");
+    throw core::InputError("The light's %1 is %2, outside the range from %3 to %4.", what,
+                           std::to_string(value), std::to_string(low), std::to_string(high));
 }
 
 void check(const Lighting& lighting) {
-    check_range("azimuth in degrees", lighting.azimuth_deg, -360.0, 360.0);
-    check_range("elevation in degrees", lighting.elevation_deg, 5.0, 90.0);
-    check_range("ambient share", lighting.ambient, 0.0, 1.0);
-    check_range("roughness on wet paint", lighting.wet_roughness, 0.05, 1.0);
-    check_range("roughness on the dry support", lighting.dry_roughness, 0.05, 1.0);
-    check_range("shadow softness in mm", lighting.shadow_softness_mm, 1e-4, 10.0);
+    check_range(core::message("azimuth in degrees"), lighting.azimuth_deg, -360.0, 360.0);
+    check_range(core::message("elevation in degrees"), lighting.elevation_deg, 5.0, 90.0);
+    check_range(core::message("ambient share"), lighting.ambient, 0.0, 1.0);
+    check_range(core::message("roughness on wet paint"), lighting.wet_roughness, 0.05, 1.0);
+    check_range(core::message("roughness on the dry support"), lighting.dry_roughness, 0.05, 1.0);
+    check_range(core::message("shadow softness in mm"), lighting.shadow_softness_mm, 1e-4, 10.0);
 }
 
 }  // namespace

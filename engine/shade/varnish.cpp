@@ -23,16 +23,16 @@ namespace {
 /// From violet to red.
 constexpr std::array<double, pigment::kBands> kAgedAbsorbance = {0.80, 0.42, 0.24, 0.12, 0.06, 0.03};
 
-void check_share(const char* what, double value) {
+void check_share(const core::Message& what, double value) {
     if (value >= 0.0 && value <= 1.0) return;
-    throw core::InputError("The varnish's " + std::string(what) + " is " + std::to_string(value) +
-                           ", outside the range from 0 to 1.");
+    throw core::InputError("The varnish's %1 is %2, outside the range from 0 to 1.", what,
+                           std::to_string(value));
 }
 
 /// Of a coat that is there at all.
 double coat(const Varnish& varnish) {
-    check_share("amount", varnish.amount);
-    check_share("yellowing", varnish.yellowing);
+    check_share(core::message("amount"), varnish.amount);
+    check_share(core::message("yellowing"), varnish.yellowing);
     return varnish.finish == Finish::None ? 0.0 : varnish.amount;
 }
 

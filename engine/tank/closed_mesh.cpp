@@ -24,8 +24,8 @@ void check_positions(const liquid::TriangleMesh& mesh) {
         const glm::vec3& at = mesh.positions_m[vertex];
         for (const int axis : {0, 1, 2})
             if (!(std::abs(at[axis]) <= static_cast<float>(kFarthest_m)))
-                throw core::InputError("mesh: vertex " + std::to_string(vertex) + " lies at " +
-                                       text_of(at) + ", which is no place.");
+                throw core::InputError("mesh: vertex %1 lies at %2, which is no place.", vertex,
+                                       text_of(at));
     }
 }
 
@@ -33,9 +33,8 @@ void check_vertices(const liquid::TriangleMesh& mesh) {
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
         for (const std::uint32_t vertex : mesh.triangles[triangle])
             if (vertex >= mesh.positions_m.size())
-                throw core::InputError("mesh: triangle " + std::to_string(triangle) + " names vertex " +
-                                       std::to_string(vertex) + " of " +
-                                       std::to_string(mesh.positions_m.size()) + ".");
+                throw core::InputError("mesh: triangle %1 names vertex %2 of %3.", triangle, vertex,
+                                       mesh.positions_m.size());
 }
 
 /// An edge with its lower vertex first, as a number that can be sorted.
@@ -45,10 +44,10 @@ std::uint64_t edge_number(std::uint32_t low, std::uint32_t high) {
 
 [[noreturn]] void refuse_edge(const liquid::TriangleMesh& mesh, std::uint64_t edge) {
     const glm::vec3 &from = mesh.positions_m[edge >> 32U], &to = mesh.positions_m[edge & UINT32_MAX];
-    throw core::InputError("mesh: it is not closed: the edge from " + text_of(from) + " to " +
-                           text_of(to) +
-                           " is not shared by exactly two triangles that run along it in opposite "
-                           "directions.");
+    throw core::InputError(
+        "mesh: it is not closed: the edge from %1 to %2 is not shared by exactly two "
+        "triangles that run along it in opposite directions.",
+        text_of(from), text_of(to));
 }
 
 /// Edges that triangles run along from the lower to the higher vertex, and those that they run back

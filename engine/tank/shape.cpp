@@ -68,7 +68,7 @@ void check_form(const CupGlass& glass) {
 }
 
 void check_form(const MeshBody& body) {
-    if (!body.mesh) throw core::InputError("mesh: \"" + body.file + "\" was not read.");
+    if (!body.mesh) throw core::InputError("mesh: \"%1\" was not read.", body.file);
     check_place("mesh: position_m", body.position_m);
     core::check_range("mesh: scale", static_cast<double>(body.scale), 1.0 / kMostScale, kMostScale);
     check_closed(*body.mesh);

@@ -38,7 +38,7 @@ void check_shape_of(const std::string& name, const Shape& shape) {
     try {
         check_shape(shape);
     } catch (const core::InputError& error) {
-        throw core::InputError(name + ": " + error.what());
+        throw core::InputError("%1: %2", name, error.message());
     }
 }
 

@@ -32,17 +32,17 @@ constexpr double kCleanError = 0.06, kBlack = 0.05;
 constexpr int kSums = 3 + kFeatures;
 
 void check_settings(const TraceSettings& settings) {
-    const auto refuse = [](const char* name, const std::string& value, const char* range) {
-        throw core::InputError(std::string("trace settings: ") + name + " is " + value +
-                               ", but must be " + range + ".");
-    };
     for (const int side : {settings.width, settings.height})
         if (side < 1 || side > kLongestSide)
-            refuse("a side of the picture", std::to_string(side), "from 1 to 16384 pixels");
+            throw core::InputError(
+                "trace settings: a side of the picture is %1, but must be from 1 to 16384 pixels.",
+                side);
     if (!(settings.brightest > 0.0F && settings.brightest < 1e30F))
-        refuse("brightest", std::to_string(settings.brightest), "above 0 and finite");
+        throw core::InputError("trace settings: brightest is %1, but must be above 0 and finite.",
+                               std::to_string(settings.brightest));
     if (settings.most_events < 1)
-        refuse("most_events", std::to_string(settings.most_events), "at least 1");
+        throw core::InputError("trace settings: most_events is %1, but must be at least 1.",
+                               settings.most_events);
 }
 
 const Scene& checked(const Scene& scene, const TraceSettings& settings) {

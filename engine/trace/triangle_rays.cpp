@@ -42,8 +42,8 @@ std::string configuration(core::Isa isa) {
 void check_error(RTCDevice device, std::size_t triangles) {
     const RTCError error = rtcGetDeviceError(device);
     if (error == RTC_ERROR_OUT_OF_MEMORY)
-        throw core::InputError("scene: there is not enough memory to trace a mesh of " +
-                               std::to_string(triangles) + " triangles.");
+        throw core::InputError("scene: there is not enough memory to trace a mesh of %1 triangles.",
+                               triangles);
     PASTOSO_CHECK_OP(error, ==, RTC_ERROR_NONE);
 }
 

@@ -111,7 +111,7 @@ class ExporterTest : public ::testing::Test {
     template <class Choice>
     void expect_written(const Choice& choice) {
         const ExportOutcome outcome = exported(choice);
-        EXPECT_EQ(outcome.error, "");
+        EXPECT_EQ(outcome.error.text(), "");
         EXPECT_EQ(outcome.status(), files::ExportStatus::Written);
         EXPECT_EQ(outcome.path, choice.path);
     }
@@ -153,7 +153,7 @@ TEST_F(ExporterTest, LayersMapsAndReliefsAreWritten) {
         EXPECT_EQ(files::read_grey_image(path(name)).height, 60) << name;
     for (const char* name : {"a.stl", "a.ply", "a.obj"}) {
         const ExportOutcome outcome = exported(choice(recordings::ExportKind::Relief, name));
-        EXPECT_EQ(outcome.error, "");
+        EXPECT_EQ(outcome.error.text(), "");
         const auto& report = std::get<recordings::ExportReport>(outcome.report);
         EXPECT_GT(report.triangles, 2U * 80U * 60U);
         EXPECT_GT(std::filesystem::file_size(path(name)), 12 * report.triangles) << name;
@@ -194,7 +194,7 @@ TEST_F(ExporterTest, WhatIsStoppedLeavesEveryFileAsItWas) {
         start(large[i]);
         exporter_.stop();
         const ExportOutcome outcome = ended();
-        EXPECT_EQ(outcome.error, "");
+        EXPECT_EQ(outcome.error.text(), "");
         EXPECT_EQ(outcome.status(), files::ExportStatus::Stopped) << files_of[i];
         EXPECT_EQ(core::read_text_file(path(files_of[i])), "old");
         EXPECT_EQ(files(), before) << files_of[i];
@@ -228,21 +228,21 @@ TEST_F(ExporterTest, WhatIsMidwayIsStoppedWithTheExporter) {
 
 TEST_F(ExporterTest, WhatCannotBeWrittenIsToldWithItsPlace) {
     const ExportOutcome missing = exported(choice(recordings::ExportKind::Picture, "none/a.png"));
-    EXPECT_THAT(missing.error, HasSubstr(path("none/a.png").string() + ": "));
-    EXPECT_THAT(missing.error, EndsWith("."));
+    EXPECT_THAT(missing.error.text(), HasSubstr(path("none/a.png").string() + ": "));
+    EXPECT_THAT(missing.error.text(), EndsWith("."));
     const ExportOutcome named = exported(choice(recordings::ExportKind::Relief, "a.png"));
-    EXPECT_THAT(named.error, HasSubstr("a.png: a relief is saved as .stl, .ply or .obj"));
+    EXPECT_THAT(named.error.text(), HasSubstr("a.png: a relief is saved as .stl, .ply or .obj"));
     stroke_.events.push_back({2, TakeBrush{"no such brush", 8.0, 2}});
-    EXPECT_THAT(exported(film("frames")).error, HasSubstr("the recording, "));
+    EXPECT_THAT(exported(film("frames")).error.text(), HasSubstr("the recording, "));
     stroke_.events.pop_back();
-    EXPECT_EQ(exported(choice(recordings::ExportKind::Picture, "a.png")).error, "")
+    EXPECT_EQ(exported(choice(recordings::ExportKind::Picture, "a.png")).error.text(), "")
         << "it can be used again";
 }
 
 TEST_F(ExporterTest, ProgressGoesOnToTheEnd) {
     recordings::ExportChoice picture = choice(recordings::ExportKind::Picture, "a.png");
     picture.scale = 48.0;
-    EXPECT_EQ(exported(picture).error, "");
+    EXPECT_EQ(exported(picture).error.text(), "");
     ASSERT_FALSE(shares_.empty());
     EXPECT_TRUE(std::is_sorted(shares_.begin(), shares_.end()));
     EXPECT_GE(shares_.front(), 0.0);

@@ -15,11 +15,11 @@ using testing::HasSubstr;
 const KeyChecks kChecks{
     .set =
         [](const std::string& name) {
-            if (name != "krita") throw core::InputError("\"" + name + "\" is no set.");
+            if (name != "krita") throw core::InputError("\"%1\" is no set.", name);
         },
     .key =
         [](const std::string& text) {
-            if (text.size() > 8) throw core::InputError("\"" + text + "\" is no key.");
+            if (text.size() > 8) throw core::InputError("\"%1\" is no key.", text);
         },
 };
 

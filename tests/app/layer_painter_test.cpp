@@ -75,7 +75,7 @@ TEST(LayerPainter, DeliversEveryLayerThatIsAskedFor) {
             EXPECT_EQ(picture.width, 20);
             (layer == 7 ? first : second).set_value();
         },
-        [](const std::string& fault) { ADD_FAILURE() << fault; });
+        [](const core::Message& fault) { ADD_FAILURE() << fault.text(); });
     const auto film = std::make_shared<const film::FilmState>(half_covered());
     painter.want(7, film, document::kPrimedGround);
     painter.want(8, film, document::kPrimedGround);
@@ -92,7 +92,7 @@ TEST(LayerPainter, TellsWhyAPictureIsMissingAndPaintsTheNext) {
             if (layer == 7) throw std::bad_alloc();
             delivered.set_value();
         },
-        [&](const std::string& fault) { told.set_value(fault); });
+        [&](const core::Message& fault) { told.set_value(fault.text()); });
     const auto film = std::make_shared<const film::FilmState>(half_covered());
     painter.want(7, film, document::kPrimedGround);
     painter.want(8, film, document::kPrimedGround);

@@ -13,7 +13,9 @@ TEST(MediumFeel, EndsAndMiddleOfEveryMediumAreAllowed) {
     for (const Medium& medium : film::bundled_media())
         for (const Feel feel : kAll)
             for (const double place : {0.0, 0.5, 1.0})
-                EXPECT_NO_THROW(check_numbers(with_place(medium, feel, place), medium.name)) << place;
+                EXPECT_NO_THROW(
+                    check_numbers(with_place(medium, feel, place), core::Message::verbatim(medium.name)))
+                    << place;
 }
 
 TEST(MediumFeel, TheEndsAreThoseOfTheTable) {

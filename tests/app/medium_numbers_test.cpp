@@ -12,7 +12,7 @@ TEST(MediumNumbers, AnyChangeOfAnyMediumIsOneThatThePaintTakes) {
         for (const film::MediumNumber& number : film::medium_numbers())
             for (const double value : {number.least - 1.0, number.least, number.most, number.most + 1.0}) {
                 const Medium changed = with_number(medium, number.member, value);
-                EXPECT_NO_THROW(film::check_numbers(changed, number.key));
+                EXPECT_NO_THROW(film::check_numbers(changed, core::Message::verbatim(number.key)));
             }
 }
 

@@ -63,7 +63,9 @@ TEST_F(MessageWindow, TheListKeepsWhatPassedInTheStatusLine) {
 }
 
 TEST_F(MessageWindow, AllNotesOfAFileCanBeRead) {
-    studio().report_notes(QStringLiteral("a.ora"), {"one is missing.", "two are flat.", "three."});
+    studio().report_notes(
+        QStringLiteral("a.ora"),
+        {core::message("one is missing."), core::message("two are flat."), core::message("three.")});
     for (const char* note : {"One is missing.", "Two are flat.", "Three."})
         EXPECT_THAT(listed(), HasSubstr(note));
     EXPECT_TRUE(bar().isVisible());
@@ -73,7 +75,7 @@ TEST_F(MessageWindow, AllNotesOfAFileCanBeRead) {
     EXPECT_TRUE(dock().isVisible());
     EXPECT_TRUE(dock().isAncestorOf(QApplication::focusWidget()));
 
-    studio().report_notes(QStringLiteral("b.ora"), {"only one."});
+    studio().report_notes(QStringLiteral("b.ora"), {core::message("only one.")});
     ASSERT_EQ(log().standing().size(), 1U);
     EXPECT_EQ(log().standing()[0].sentence.toStdString(), "Only one.");
 }

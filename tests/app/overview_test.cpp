@@ -98,7 +98,7 @@ TEST(OverviewPainter, DeliversWhatWasAskedForLast) {
             done = true;
             dark.set_value();
         },
-        [](const std::string& fault) { ADD_FAILURE() << fault; });
+        [](const core::Message& fault) { ADD_FAILURE() << fault.text(); });
     film::FilmState film = bare();
     painter.want(subject(film, {}));
     cover(film, {0, 0, 64, 64});

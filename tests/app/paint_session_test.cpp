@@ -1,6 +1,7 @@
 #include "session/paint_session.hpp"
 
 #include "core/error.hpp"
+#include "core/message_text.hpp"
 #include "document/player.hpp"
 #include "patience.hpp"
 #include "recordings/recording_json.hpp"
@@ -359,7 +360,7 @@ TEST(PaintSession, ARefusedActionIsToldInASentenceAndTheSessionGoesOn) {
     take_loaded_brush(*session);
     post_stroke(*session, 0.0, 15.0);
     session->wait_until_applied();
-    EXPECT_THAT(session->take_errors(), ElementsAre(HasSubstr("Toothbrush")));
+    EXPECT_THAT(core::texts_of(session->take_errors()), ElementsAre(HasSubstr("Toothbrush")));
     EXPECT_TRUE(session->take_errors().empty());
     EXPECT_GT(paint_on(*session), 0);
     // What was refused is not part of the recording.
@@ -438,7 +439,7 @@ TEST(PaintSession, WhateverFailsIsToldAndThePaintStandsStill) {
         window.fails = true;
         take_loaded_brush(session);
         session.wait_until_applied();
-        EXPECT_THAT(session.take_errors(), ElementsAre(HasSubstr(sentence)));
+        EXPECT_THAT(core::texts_of(session.take_errors()), ElementsAre(HasSubstr(sentence)));
         EXPECT_TRUE(session.status().failed && session.status().paused);
         post_stroke(session, 0.0, 15.0);
         EXPECT_EQ(session.capture().record.recording().events.size(), 30U);

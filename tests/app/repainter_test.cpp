@@ -82,7 +82,8 @@ TEST(Repainter, SaysWhyItCannotGoOn) {
     strokes.events[0].action = UseMedium{"no such medium"};
     Repainter repainter(strokes, "The painting", [] {});
     wait_for([&] { return !repainter.status().error.empty(); });
-    EXPECT_EQ(repainter.status().error.find("The painting, event 0"), 0) << repainter.status().error;
+    EXPECT_EQ(repainter.status().error.text().find("The painting, event 0"), 0)
+        << repainter.status().error.text();
     EXPECT_EQ(repainter.painted(), nullptr);
 }
 

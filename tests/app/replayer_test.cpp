@@ -129,7 +129,7 @@ TEST_F(ReplayerTest, TellsWhyItCannotGoOn) {
     watch(recording);
     replayer_->set_speed(kFullSpeed);
     wait_for([](const auto& status) { return !status.error.empty(); });
-    EXPECT_THAT(replayer_->status().error, HasSubstr("No such brush"));
+    EXPECT_THAT(replayer_->status().error.text(), HasSubstr("No such brush"));
     EXPECT_FALSE(replayer_->status().playing);
 }
 

@@ -68,7 +68,7 @@ TEST_F(SettingsTest, OfAnEarlierVersionKnowNoVarnish) {
 TEST_F(SettingsTest, FaultsAreToldWithTheirPlace) {
     const std::string name = file().string();
     EXPECT_EQ(fault_of({}, "\"off\"", "\"springs\""),
-              name + ", pen.steadying.mode: \"springs\" is not one of off, time and string.");
+              name + ", pen.steadying.mode: \"springs\" is not one of off, time, string.");
     EXPECT_EQ(fault_of({}, "80.0", "4000"),
               name + ", pen.steadying.smoothing_ms: 4000 is not above 0 and at most 400.0.");
     EXPECT_EQ(fault_of({}, "true", "1"),
@@ -77,7 +77,7 @@ TEST_F(SettingsTest, FaultsAreToldWithTheirPlace) {
     EXPECT_EQ(fault_of({}, "36.0", "95"),
               name + ", light.elevation_deg: 95 is not between 5.0 and 90.0.");
     EXPECT_EQ(fault_of({}, "\"none\"", "\"wax\""),
-              name + ", light.varnish.finish: \"wax\" is not one of none, matte, satin and gloss.");
+              name + ", light.varnish.finish: \"wax\" is not one of none, matte, satin, gloss.");
     EXPECT_EQ(fault_of({}, "\"yellowing\": 0.0", "\"yellowing\": 2"),
               name + ", light.varnish.yellowing: 2 is not between 0.0 and 1.0.");
     EXPECT_EQ(fault_of({}, "start_page\": true", "start_page\": \"no\""),

@@ -1,6 +1,7 @@
 // A glass of milk tea on a thread of its own, and what is kept of it.
 #include "session/tea_session.hpp"
 
+#include "core/message_text.hpp"
 #include "patience.hpp"
 #include "session/liquid_picture.hpp"
 
@@ -183,7 +184,7 @@ TEST(TeaSession, WhatCannotBeIsToldAndChangesNothing) {
     bad.viscosity_m2_s = -1.0;
     session.set_numbers(bad);
     session.wait_until_applied();
-    std::vector<std::string> errors = session.take_errors();
+    std::vector<std::string> errors = core::texts_of(session.take_errors());
     ASSERT_EQ(errors.size(), 1U);
     EXPECT_NE(errors[0].find("viscosity_m2_s is -1"), std::string::npos) << errors[0];
     EXPECT_EQ(session.snapshot()->settings.viscosity_m2_s, small_glass().viscosity_m2_s);
@@ -293,7 +294,7 @@ TEST(LiquidPicture, IsTracedAndEndsWhenItIsTold) {
     LiquidPicture picture(order, [&] { ++notes; });
     ASSERT_TRUE(tests::comes_true([&] { return picture.progress().finished; }));
     EXPECT_EQ(picture.progress().samples, 3);
-    EXPECT_EQ(picture.progress().error, "");
+    EXPECT_EQ(picture.progress().error.text(), "");
     // The word of the last one comes a moment after it.
     EXPECT_TRUE(tests::comes_true([&] { return notes >= 3; }));
     ASSERT_NE(picture.shown(), nullptr);
@@ -319,7 +320,7 @@ TEST(LiquidPicture, TellsWhyThereIsNone) {
     order.width = 0;
     LiquidPicture picture(order, [] {});
     ASSERT_TRUE(tests::comes_true([&] { return picture.progress().finished; }));
-    EXPECT_NE(picture.progress().error, "");
+    EXPECT_NE(picture.progress().error.text(), "");
 }
 
 }  // namespace

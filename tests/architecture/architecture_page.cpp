@@ -19,28 +19,27 @@ std::string last_part(const std::string& path) {
 
 std::string unquoted(const std::string& word, long line) {
     if (word.size() < 3 || word.front() != '`' || word.back() != '`')
-        throw core::located_error(kPage, line, "\"" + word + "\" does not stand between ` and `");
+        throw core::located_error(kPage, line, "\"%1\" does not stand between ` and `", word);
     return word.substr(1, word.size() - 2);
 }
 
 void add_folder(const std::string& path, const TableRow& row, Rows& folders) {
     if (!path.starts_with("engine/") && !path.starts_with("app/"))
-        throw core::located_error(kPage, row.line, path + " lies neither in engine nor in app");
+        throw core::located_error(kPage, row.line, "%1 lies neither in engine nor in app", path);
     const std::string& level = row.cells[0];
-    if (level.size() != 1) throw core::located_error(kPage, row.line, "\"" + level + "\" is no level");
+    if (level.size() != 1) throw core::located_error(kPage, row.line, "\"%1\" is no level", level);
     const FolderRow folder{
         .path = path, .level = level[0], .named = {}, .may_use = {}, .line = row.line};
     const auto [place, is_new] = folders.emplace(last_part(path), folder);
     if (!is_new) {
-        throw core::located_error(kPage, row.line,
-                                  path + " has the name of " + place->second.path + " in line " +
-                                      std::to_string(place->second.line));
+        throw core::located_error(kPage, row.line, "%1 has the name of %2 in line %3", path,
+                                  place->second.path, place->second.line);
     }
 }
 
 void expect_row(const Rows& folders, const std::string& name, long line) {
     if (!folders.contains(name))
-        throw core::located_error(kPage, line, name + " has no row in the table");
+        throw core::located_error(kPage, line, "%1 has no row in the table", name);
 }
 
 /// "engine", "all of app but arguments and cli": the folders of a part.
@@ -57,9 +56,7 @@ Folders folders_of_part(std::string_view part, const Rows& folders, long line) {
     for (const auto& [name, row] : folders)
         if (row.path.starts_with(std::string(part) + "/") && !left_out.contains(name))
             found.insert(name);
-    if (found.empty())
-        throw core::located_error(kPage, line,
-                                  "\"" + std::string(part) + "\" is neither engine nor app");
+    if (found.empty()) throw core::located_error(kPage, line, "\"%1\" is neither engine nor app", part);
     return found;
 }
 
@@ -82,8 +79,8 @@ Folders folders_named(const std::string& cell, const Rows& folders, long line) {
 
 void expect_lower(const FolderRow& row, const FolderRow& used) {
     if (row.level == '-' || used.level == '-' || used.level < row.level) return;
-    throw core::located_error(
-        kPage, row.line, row.path + " may not name " + used.path + ", which is not on a lower level");
+    throw core::located_error(kPage, row.line, "%1 may not name %2, which is not on a lower level",
+                              row.path, used.path);
 }
 
 void add_reached(const Folders& from, const Rows& folders, Folders& reached) {
@@ -109,8 +106,8 @@ Rows read_folders(std::string_view text) {
             expect_lower(row, folders.at(used));
         add_reached(row.named, folders, row.may_use);
         if (row.may_use.contains(name))
-            throw core::located_error(kPage, row.line,
-                                      row.path + " uses itself, by way of what it names");
+            throw core::located_error(kPage, row.line, "%1 uses itself, by way of what it names",
+                                      row.path);
     }
     return folders;
 }
@@ -137,7 +134,7 @@ std::vector<std::string> folder_violations(const ArchitecturePage& page,
     for (const auto& [name, row] : page.folders) {
         if (std::find(present.begin(), present.end(), row.path) != present.end()) continue;
         violations.push_back(
-            core::located_error(kPage, row.line, "there is no folder " + row.path).what());
+            core::located_error(kPage, row.line, "there is no folder %1", row.path).what());
     }
     for (const std::string& path : present) {
         const auto row = page.folders.find(last_part(path));

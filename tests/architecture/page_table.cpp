@@ -52,14 +52,13 @@ std::vector<TableRow> table_rows(const std::string& page, std::string_view text,
             continue;
         }
         if (cells.size() != header.size()) {
-            throw core::located_error(page, number,
-                                      "the row has " + std::to_string(cells.size()) +
-                                          " cells, its table " + std::to_string(header.size()));
+            throw core::located_error(page, number, "the row has %1 cells, its table %2", cells.size(),
+                                      header.size());
         }
         rows.push_back({cells, number});
     }
     if (!within)
-        throw core::located_error(page, 0, "there is no table that begins with | " + header.front());
+        throw core::located_error(page, 0, "there is no table that begins with | %1", header.front());
     // The line of dashes below the header.
     if (!rows.empty()) rows.erase(rows.begin());
     return rows;

@@ -64,8 +64,8 @@ TEST_F(PresetLibraryTest, TellsFaultsAndKeepsTheRest) {
     const PresetLibrary loaded = library();
     EXPECT_NE(find_entry(loaded, "Good"), nullptr);
     ASSERT_EQ(loaded.faults.size(), 2U);
-    EXPECT_THAT(loaded.faults[0].sentence, HasSubstr("broken.json: kind is \"broom\""));
-    EXPECT_THAT(loaded.faults[1].sentence,
+    EXPECT_THAT(loaded.faults[0].sentence.text(), HasSubstr("broken.json: kind is \"broom\""));
+    EXPECT_THAT(loaded.faults[1].sentence.text(),
                 HasSubstr("good.json: name is \"Good\", which another preset"));
 }
 

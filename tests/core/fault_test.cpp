@@ -1,6 +1,7 @@
 #include "core/fault.hpp"
 
 #include "core/error.hpp"
+#include "core/message_text.hpp"
 #include "core/temporary_folder.hpp"
 
 #include <filesystem>
@@ -58,18 +59,18 @@ TEST(Fault, OfTheProgramIsSaidToBeSo) {
               "something went wrong within the program (broken pipe).");
     EXPECT_EQ(fault_of([] { throw 7; }),
               "something went wrong within the program (an exception of an unknown kind).");
-    EXPECT_EQ(fault_of([] { throw InputError(""); }),
+    EXPECT_EQ(fault_of([] { throw InputError(Message()); }),
               "something went wrong within the program (no reason was given).");
 }
 
 TEST(Guarded, TellsOnceAndLetsNothingEscape) {
     std::string told;
     guarded([] { throw InputError("a.png: no picture."); },
-            [&](const std::string& sentence) { told += sentence; });
+            [&](const Message& sentence) { told += sentence.text(); });
     EXPECT_EQ(told, "a.png: no picture.");
-    guarded([] {}, [&](const std::string& sentence) { told += sentence; });
+    guarded([] {}, [&](const Message& sentence) { told += sentence.text(); });
     EXPECT_EQ(told, "a.png: no picture.");
-    guarded([] { throw 7; }, [](const std::string&) { throw std::bad_alloc(); });
+    guarded([] { throw 7; }, [](const Message&) { throw std::bad_alloc(); });
 }
 
 }  // namespace

@@ -223,7 +223,8 @@ TEST_F(OutputFileTest, ALinkToItselfIsRefused) {
 
 TEST_F(OutputFileTest, WhatIsNoFileIsRefusedAndStays) {
     ASSERT_EQ(::mkfifo(file_.c_str(), 0600), 0);
-    EXPECT_EQ(error_of([&] { write_text_file(file_, ""); }), file_.string() + ": is a pipe, not a file.");
+    EXPECT_EQ(error_of([&] { write_text_file(file_, ""); }),
+              file_.string() + ": is a named pipe, not a file.");
     EXPECT_TRUE(fs::is_fifo(file_));
     EXPECT_EQ(error_of([] { write_text_file("/dev/full", ""); }), "/dev/full: is a device, not a file.");
     EXPECT_TRUE(fs::is_character_file("/dev/full"));

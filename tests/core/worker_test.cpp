@@ -40,7 +40,7 @@ class Numbers : public testing::Test {
                             }
                             done_.push_back(number);
                         },
-                        [](int&, const std::string&) {}};
+                        [](int&, const Message&) {}};
 };
 
 TEST_F(Numbers, AreDoneInTheirOrder) {
@@ -106,7 +106,7 @@ TEST(Worker, CancelsTheJobUnderWayAtItsEndAndDropsTheOthers) {
                     std::this_thread::yield();
                 done.push_back(number);
             },
-            [](int&, const std::string&) {});
+            [](int&, const Message&) {});
         worker.add(0);
         worker.add(1);
         begun.get_future().wait();
@@ -116,7 +116,7 @@ TEST(Worker, CancelsTheJobUnderWayAtItsEndAndDropsTheOthers) {
 
 TEST(Worker, HasFreedAJobOnceItIsDone) {
     using Shared = std::shared_ptr<int>;
-    Worker<Shared> worker([](Shared&) {}, [](Shared&, const std::string&) {});
+    Worker<Shared> worker([](Shared&) {}, [](Shared&, const Message&) {});
     const auto held = std::make_shared<int>(1);
     worker.add(held);
     worker.wait();
@@ -128,7 +128,7 @@ TEST(Worker, TellsWhatJobsThrowAndGoesOn) {
     std::vector<std::string> told;
     bool last_done = false;
     Worker<Job> worker([](Job& job) { job(); },
-                       [&](Job&, const std::string& sentence) { told.push_back(sentence); });
+                       [&](Job&, const Message& sentence) { told.push_back(sentence.text()); });
     worker.add([] { throw InputError("a.png: no picture."); });
     worker.add([] { throw std::bad_alloc(); });
     worker.add([] { std::filesystem::create_directory("/missing/more"); });
@@ -152,7 +152,7 @@ TEST(Worker, OutlivesWhoCannotEvenTell) {
             if (number == 0) throw 7;
             done = true;
         },
-        [](int&, const std::string&) { throw std::bad_alloc(); });
+        [](int&, const Message&) { throw std::bad_alloc(); });
     worker.add(0);
     worker.add(1);
     worker.wait();
@@ -162,7 +162,7 @@ TEST(Worker, OutlivesWhoCannotEvenTell) {
 TEST(Thread, TellsWhatEndedIt) {
     std::string told;
     Thread thread([] { throw InputError("a.png: no picture."); },
-                  [&](const std::string& sentence) { told = sentence; });
+                  [&](const Message& sentence) { told = sentence.text(); });
     thread.join();
     EXPECT_FALSE(thread.exists());
     EXPECT_EQ(told, "a.png: no picture.");

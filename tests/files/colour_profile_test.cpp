@@ -110,7 +110,7 @@ std::vector<float> converted(const std::vector<float>& linear, WorkingSpace to, 
 pigment::LinearImage read(const std::vector<float>& values, const StoredColour& colour,
                           WorkingSpace space) {
     pigment::LinearImage image{static_cast<int>(values.size() / 3), 1, values, space};
-    into_working_space(image, colour, "a.png");
+    into_working_space(image, colour, core::Message::verbatim("a.png"));
     return image;
 }
 

@@ -177,18 +177,20 @@ TEST(BundledMedia, OilStandsOnAnUprightCanvasAndHousePaintRuns) {
 
 TEST(ParseMedium, NumbersLeftOutAreTheOtherMediums) {
     const Medium& oil = find_medium("heavy-body oil");
-    const Medium thin = parse_medium(R"({"viscosity_m2_s": 0.02, "alpha_min": 0.5})", "a.json", oil);
+    const Medium thin = parse_medium(R"({"viscosity_m2_s": 0.02, "alpha_min": 0.5})",
+                                     pastoso::core::Message::verbatim("a.json"), oil);
     EXPECT_EQ(thin.viscosity_m2_s, 0.02);
     EXPECT_EQ(thin.alpha_min, 0.5);
     EXPECT_EQ(thin.yield_stress_Pa, oil.yield_stress_Pa);
     EXPECT_EQ(thin.name, oil.name);
-    EXPECT_EQ(parse_medium("{}", "a.json", {}).density_kg_m3, Medium{}.density_kg_m3);
+    EXPECT_EQ(parse_medium("{}", pastoso::core::Message::verbatim("a.json"), {}).density_kg_m3,
+              Medium{}.density_kg_m3);
 }
 
 TEST(ParseMedium, RefusesUnknownAndOddNumbers) {
     const auto error = [](const char* text) -> std::string {
         try {
-            parse_medium(text, "a.json", {});
+            parse_medium(text, pastoso::core::Message::verbatim("a.json"), {});
         } catch (const pastoso::core::InputError& problem) {
             return problem.what();
         }
@@ -204,7 +206,9 @@ TEST(ParseMedium, RefusesUnknownAndOddNumbers) {
 TEST(ParseMedium, ReadsExactlyWhatIsWritten) {
     for (Medium medium : bundled_media()) {
         medium.viscosity_m2_s = 1.0 / 3.0;
-        EXPECT_EQ(parse_medium(numbers_to_json(medium), "here", medium), medium);
+        EXPECT_EQ(
+            parse_medium(numbers_to_json(medium), pastoso::core::Message::verbatim("here"), medium),
+            medium);
     }
 }
 

@@ -33,7 +33,8 @@ TEST(Thinning, LeavesWholePaintAndWhatNothingThinsAsTheyAre) {
 TEST(Thinning, EveryStainIsAMedium) {
     for (const Medium& medium : bundled_media()) {
         for (const double share : {kLeastPaintShare, 0.1, 0.37, 0.999})
-            EXPECT_NO_THROW(check_numbers(thinned(medium, share), medium.name)) << share;
+            EXPECT_NO_THROW(check_numbers(thinned(medium, share), core::Message::verbatim(medium.name)))
+                << share;
     }
 }
 

@@ -137,7 +137,7 @@ TEST_F(Writer, WhatCannotBeWrittenIsToldAndWrittenOnceItCanBe) {
             const tests::FileSizeLimit limit(whole + 10);
             touch(journal);
             const Trouble trouble = heard.wait_for(false);
-            EXPECT_THAT(trouble.reason, HasSubstr(file.string()));
+            EXPECT_THAT(trouble.reason.text(), HasSubstr(file.string()));
             EXPECT_FALSE(trouble.strokes_are_kept);
             EXPECT_GT(trouble.waiting_bytes, 0U);
             EXPECT_EQ(fs::file_size(file), whole);

@@ -1,6 +1,7 @@
 #include "journal/recovery.hpp"
 
 #include "core/error.hpp"
+#include "core/message_text.hpp"
 #include "core/text_file.hpp"
 #include "document/well_session.hpp"
 #include "files/temporary_folder.hpp"
@@ -105,7 +106,7 @@ TEST_F(Recovery, ADamagedCheckpointIsToldOf) {
     fs::resize_file(journal / "checkpoint-1.pastoso", 1000);
     const Recovered recovered = recover(journal, pool);
     EXPECT_EQ(document::state_hash(recovered.painting), hash_of_replay(recording, pool));
-    EXPECT_THAT(recovered.notes, ElementsAre(HasSubstr("checkpoint-1.pastoso")));
+    EXPECT_THAT(core::texts_of(recovered.notes), ElementsAre(HasSubstr("checkpoint-1.pastoso")));
 }
 
 /// How many actions a frame holds depends on the writer's pace: four each from now on, so that a place in
@@ -136,8 +137,8 @@ TEST_F(Recovery, DamageCostsWhatComesAfterIt) {
     EXPECT_EQ(document::state_hash(recovered.painting), hash_of_replay(recovered.strokes, pool));
     EXPECT_GT(recovered.strokes.events.size(), recording.events.size() / 4);
     ASSERT_THAT(recovered.notes, SizeIs(1));
-    EXPECT_THAT(recovered.notes[0], HasSubstr("strokes.journal, byte "));
-    EXPECT_THAT(recovered.notes[0], HasSubstr("actions after it are lost."));
+    EXPECT_THAT(recovered.notes[0].text(), HasSubstr("strokes.journal, byte "));
+    EXPECT_THAT(recovered.notes[0].text(), HasSubstr("actions after it are lost."));
 }
 
 TEST_F(Recovery, DamageBeforeACheckpointCostsTheStrokesAlone) {
@@ -147,7 +148,8 @@ TEST_F(Recovery, DamageBeforeACheckpointCostsTheStrokesAlone) {
     const Recovered recovered = recover(journal, pool);
     EXPECT_EQ(document::state_hash(recovered.painting), hash_of_replay(recording, pool));
     EXPECT_THAT(recovered.strokes.events, IsEmpty());
-    EXPECT_THAT(recovered.notes, ElementsAre(HasSubstr("some of its strokes are missing")));
+    EXPECT_THAT(core::texts_of(recovered.notes),
+                ElementsAre(HasSubstr("some of its strokes are missing")));
 }
 
 TEST_F(Recovery, ThatAPaintingIsOfAnEarlierArithmeticIsSaidOnce) {
@@ -163,7 +165,7 @@ TEST_F(Recovery, ThatAPaintingIsOfAnEarlierArithmeticIsSaidOnce) {
         writer.note({painting.tick, document::CleanBrush{}});
         journal = writer.folder();
     }
-    EXPECT_THAT(recover(journal, pool).notes,
+    EXPECT_THAT(core::texts_of(recover(journal, pool).notes),
                 ElementsAre(HasSubstr("were painted with an earlier version of the program")));
 }
 
@@ -183,7 +185,7 @@ TEST_F(Recovery, TellsWhatIsUnfinished) {
     EXPECT_EQ(paintings[0].canvas, recording.canvas);
     EXPECT_EQ(paintings[0].tick, recording.end_tick);
     EXPECT_TRUE(paintings[0].thumbnail.starts_with("\x89PNG"));
-    EXPECT_THAT(paintings[0].fault, IsEmpty());
+    EXPECT_THAT(paintings[0].fault.text(), IsEmpty());
 }
 
 TEST_F(Recovery, UntouchedAndSavedPaintingsAreNoLongerThere) {
@@ -198,7 +200,7 @@ TEST_F(Recovery, WhatCannotBeReadIsToldAndStays) {
     std::ofstream(journal / kStrokesFile) << "nothing";
     const std::vector<Unfinished> paintings = unfinished_paintings(folder);
     ASSERT_THAT(paintings, SizeIs(1));
-    EXPECT_THAT(paintings[0].fault, HasSubstr("strokes.journal: holds no actions"));
+    EXPECT_THAT(paintings[0].fault.text(), HasSubstr("strokes.journal: holds no actions"));
     EXPECT_THROW(recover(journal, pool), core::InputError);
 }
 

@@ -80,8 +80,8 @@ class Saver {
                      << session->status().tick << std::endl;
         }
         if (turn % 6 == 5) saver.save();
-        for (const std::string& error : session->take_errors())
-            std::cerr << error << std::endl;
+        for (const core::Message& error : session->take_errors())
+            std::cerr << error.text() << std::endl;
     }
 }
 

@@ -68,7 +68,7 @@ TEST_F(UserPigmentFolder, AFileWithTooFewBandsIsLeftOutAndTheOthersStay) {
     ASSERT_EQ(user.pigments.size(), 1U);
     EXPECT_EQ(user.pigments[0].ci_name, "Mine-2");
     ASSERT_EQ(user.faults.size(), 1U);
-    EXPECT_EQ(user.faults[0],
+    EXPECT_EQ(user.faults[0].text(),
               (folder_.path() / "bad.csv").string() +
                   ", line 2: column 24 (580): missing; there are 23 columns instead of 39.");
 }
@@ -80,15 +80,15 @@ TEST_F(UserPigmentFolder, NamesThatAreTakenAreRefused) {
     const UserPigments user = read();
     ASSERT_EQ(user.pigments.size(), 1U);
     ASSERT_EQ(user.faults.size(), 2U);
-    EXPECT_THAT(user.faults[0], HasSubstr("1.csv: there is already a pigment \"PB29\""));
-    EXPECT_THAT(user.faults[1], HasSubstr("3.csv: there is already a pigment \"Mine\""));
+    EXPECT_THAT(user.faults[0].text(), HasSubstr("1.csv: there is already a pigment \"PB29\""));
+    EXPECT_THAT(user.faults[1].text(), HasSubstr("3.csv: there is already a pigment \"Mine\""));
 }
 
 TEST_F(UserPigmentFolder, PaintStrongerThanTheFilmCanHoldIsRefused) {
     write("1.csv", file_of("Mine", 5000.0));
     const UserPigments user = read();
     ASSERT_EQ(user.faults.size(), 1U);
-    EXPECT_THAT(user.faults[0], HasSubstr("K of the pigment \"Mine\" is 5000"));
+    EXPECT_THAT(user.faults[0].text(), HasSubstr("K of the pigment \"Mine\" is 5000"));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Files that earlier versions of the program wrote.
+#include "core/message_text.hpp"
 #include "document/layered_canvas.hpp"
 #include "document/painting.hpp"
 #include "files/image.hpp"
@@ -19,8 +20,9 @@ class OldFormat : public files::TemporaryFolder {
   protected:
     static LoadedProject load(const char* file, core::ThreadPool& pool) {
         LoadedProject old = load_project(tests::source_file(file), pool);
-        EXPECT_THAT(old.notes, testing::ElementsAre(testing::HasSubstr(
-                                   "as it was saved, but its strokes were painted with an earlier")));
+        EXPECT_THAT(core::texts_of(old.notes),
+                    testing::ElementsAre(testing::HasSubstr(
+                        "as it was saved, but its strokes were painted with an earlier")));
         EXPECT_EQ(old.strokes.arithmetic, 1);
         return old;
     }
@@ -123,7 +125,8 @@ TEST_F(OldFormat, NineHasNoBrushAside) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-9.pastoso"), pool);
     EXPECT_EQ(old.painting.value.brush_aside, nullptr);
     EXPECT_TRUE(old.painting.value.brush->brush.holds_paint());
-    EXPECT_THAT(old.notes, testing::ElementsAre(testing::HasSubstr("(arithmetic 5, now ")));
+    EXPECT_THAT(core::texts_of(old.notes),
+                testing::ElementsAre(testing::HasSubstr("(arithmetic 5, now ")));
     EXPECT_EQ(document::state_hash(old.painting), 0x4b576c071a99a065U);
 }
 

@@ -2,6 +2,7 @@
 #include "project/repainting.hpp"
 
 #include "core/error.hpp"
+#include "core/message_text.hpp"
 #include "document/painting.hpp"
 #include "document/player.hpp"
 
@@ -99,7 +100,7 @@ TEST_F(RepaintingTest, TermsAreToldBefore) {
     EXPECT_TRUE(terms.notes.empty());
     strokes.arithmetic = 1;
     strokes.canvas.support = "image";
-    EXPECT_THAT(repainting_terms(strokes, "a", kPlenty_bytes).notes,
+    EXPECT_THAT(core::texts_of(repainting_terms(strokes, "a", kPlenty_bytes).notes),
                 testing::ElementsAre(HasSubstr("its strokes were painted with an earlier version"),
                                      HasSubstr("its support is a picture")));
 }

@@ -339,7 +339,7 @@ TEST_F(ProjectRoundTrip, ACanvasThatAnotherVersionWeavesOtherwiseIsLoadedWithANo
             ASSERT_EQ(own.read(tile)[cell], loaded_tile[cell]) << "tile " << tile << ", cell " << cell;
     }
     ASSERT_EQ(loaded.notes.size(), 1U);
-    EXPECT_THAT(loaded.notes.front(), HasSubstr("another form of linen"));
+    EXPECT_THAT(loaded.notes.front().text(), HasSubstr("another form of linen"));
 }
 
 TEST_F(ProjectRoundTrip, PaintsOfSomebodyElseDoNotHinderLoading) {
@@ -359,7 +359,7 @@ TEST_F(ProjectRoundTrip, StrokesThatCannotBeReadCostOnlyTheirReplay) {
     EXPECT_EQ(document::state_hash(loaded.painting), document::state_hash(project.painting));
     EXPECT_THAT(loaded.strokes.events, IsEmpty());
     ASSERT_EQ(loaded.notes.size(), 1U);
-    EXPECT_THAT(loaded.notes.front(), HasSubstr("strokes cannot be replayed"));
+    EXPECT_THAT(loaded.notes.front().text(), HasSubstr("strokes cannot be replayed"));
 }
 
 TEST_F(ProjectRoundTrip, TheSummaryTellsWithoutLoading) {

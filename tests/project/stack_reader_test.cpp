@@ -1,6 +1,7 @@
 #include "project/stack_reader.hpp"
 
 #include "core/error.hpp"
+#include "core/message_text.hpp"
 #include "document/layers.hpp"
 
 #include <gmock/gmock.h>
@@ -56,7 +57,7 @@ TEST(RasterStack, HasGroupsOfOneLevel) {
     EXPECT_FALSE(stack.pictures[2].look.visible);
     EXPECT_EQ(stack.pictures[2].look.opacity, 0.25);
     EXPECT_EQ(stack.pictures[3].look.opacity, 1.0);
-    EXPECT_THAT(stack.notes, ElementsAre("the groups within \"A\" become part of it."));
+    EXPECT_THAT(core::texts_of(stack.notes), ElementsAre("the groups within \"A\" become part of it."));
 }
 
 TEST(RasterStack, SaysWhatItLeavesOut) {
@@ -64,7 +65,7 @@ TEST(RasterStack, SaysWhatItLeavesOut) {
         "<stack><layer name='L' src='1' composite-op='svg:multiply'/><text x='1'/>"
         "<layer name='Empty'/></stack>");
     EXPECT_THAT(
-        stack.notes,
+        core::texts_of(stack.notes),
         ElementsAre("\"L\" was laid over the others by svg:multiply and is laid over them as paint.",
                     "<text> is left out.", "\"Empty\" holds no picture and is left out."));
     EXPECT_EQ(stack.pictures.size(), 1U);

@@ -22,7 +22,8 @@ class FieldRows {
 
     template <class Place>
     void operator()(const document::Number<Place>& field) const {
-        add(field, between(field.low, field.high, field.unit), core::number_text(Place::of(fresh_)));
+        add(field, between(field.low, field.high, field.unit.words()),
+            core::number_text(Place::of(fresh_)));
     }
     template <class Place>
     void operator()(const document::Whole<Place>& field) const {
@@ -32,7 +33,7 @@ class FieldRows {
     }
     template <class X, class Y>
     void operator()(const document::Pair<X, Y>& field) const {
-        add(field, "`[x, y]`, " + between(field.low, field.high, field.unit),
+        add(field, "`[x, y]`, " + between(field.low, field.high, field.unit.words()),
             "`[" + core::number_text(X::of(fresh_)) + ", " + core::number_text(Y::of(fresh_)) + "]`");
     }
     template <class Place>
@@ -65,8 +66,10 @@ class FieldRows {
     template <class Field>
     void add(const Field& field, const std::string& range, const std::string& as_new) const {
         const std::string shown = field.presence == Presence::Required ? "required" : as_new;
-        add_row(field.key, range, shown, field.since, field.name, field.note);
+        add_row(field.key, range, shown, field.since, words_of(field.name), field.note);
     }
+    static std::string_view words_of(std::string_view name) { return name; }
+    static std::string_view words_of(core::Pattern<0> name) { return name.words(); }
     void add_row(const char* key, const std::string& range, const std::string& as_new, int since,
                  std::string_view name, std::string_view note) const {
         rows_ += "| `" + std::string(key) + "` | " + range + " | " + as_new + " | " +

@@ -1,5 +1,6 @@
 #include "main/files/background_export.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "main/studio.hpp"
 
 #include <utility>
@@ -9,7 +10,7 @@ namespace pastoso::main {
 BackgroundExport::BackgroundExport(Studio& studio)
     : studio_(studio),
       worker_([this](Write& write) { end(write([this] { return worker_.cancelled(); })); },
-              [this](Write&, const std::string& fault) { end(QString::fromStdString(fault)); }) {}
+              [this](Write&, const core::Message& fault) { end(appearance::shown_message(fault)); }) {}
 
 void BackgroundExport::start(Write write) {
     if (busy()) return studio_.report(tr("A file is being written already. Try again in a moment."));

@@ -1,5 +1,6 @@
 #include "main/files/exporting.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/looking.hpp"
 #include "core/user_data.hpp"
 #include "dialogs/export_dialog.hpp"
@@ -233,7 +234,7 @@ void Exporting::end(const commands::ExportOutcome& outcome) {
     if (!outcome.error.empty()) {
         studio_.messages().raise({panels::Matter::Export,
                                   tr("%1 Nothing was exported: make room or choose another place.")
-                                      .arg(QString::fromStdString(outcome.error)),
+                                      .arg(appearance::shown_message(outcome.error)),
                                   tr("Export..."), [this] { ask(settings_); }});
         return;
     }

@@ -36,7 +36,7 @@ WriteStart copied_start(const std::filesystem::path& file) {
         std::error_code failure;
         std::filesystem::copy_file(source->path(), start, failure);
         if (failure)
-            throw core::InputError(start.string() + ": cannot be written (" + failure.message() + ").");
+            throw core::InputError("%1: cannot be written (%2).", start.string(), failure.message());
     };
 }
 

@@ -1,6 +1,6 @@
 #include "main/files/loading.hpp"
 
-#include "main/sentence.hpp"
+#include "appearance/shown_message.hpp"
 #include "main/studio.hpp"
 #include "panels/parts/work_progress.hpp"
 
@@ -27,7 +27,7 @@ constexpr int kLook_ms = 50;
 Loading::Loading(Studio& studio)
     : studio_(studio),
       worker_([this](Job& job) { make(job); },
-              [this](Job& job, const std::string& fault) {
+              [this](Job& job, const core::Message& fault) {
                   hand_over(job.number, {{}, fault});
               },
               kNice) {
@@ -113,7 +113,7 @@ void Loading::take() {
     look_.stop();
     const std::uint64_t number = wanted_;
     if (made->fault.empty()) made->fault = core::fault_of([&] { made->take_over(); });
-    const std::string fault = made->fault;
+    const core::Message fault = made->fault;
     made.reset();
     if (!fault.empty()) fail(fault);
     if (number == wanted_) end();
@@ -133,8 +133,8 @@ void Loading::end() {
     Q_EMIT ended();
 }
 
-void Loading::fail(const std::string& fault) {
-    const QString sentence = sentence_of(fault);
+void Loading::fail(const core::Message& fault) {
+    const QString sentence = appearance::shown_sentence(fault);
     studio_.messages().raise({panels::Matter::Opening, sentence});
     Q_EMIT failed(sentence);
 }

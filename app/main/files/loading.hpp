@@ -64,14 +64,14 @@ class Loading : public QObject {
     };
     struct Made {
         TakeOver take_over;
-        std::string fault{};
+        core::Message fault{};
     };
 
     void make(Job& job);
     void hand_over(std::uint64_t number, Made made);
     void take();
     void end();
-    void fail(const std::string& fault);
+    void fail(const core::Message& fault);
     bool hand_rests() const;
 
     Studio& studio_;

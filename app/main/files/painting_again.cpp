@@ -1,5 +1,6 @@
 #include "main/files/painting_again.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/fault.hpp"
 #include "dialogs/repaint_dialog.hpp"
 #include "main/files/project_files.hpp"
@@ -62,7 +63,7 @@ PaintingAgain::PaintingAgain(Studio& studio, ProjectFiles& files, const LightCho
       light_(light),
       saving_(studio),
       ending_([](std::unique_ptr<session::Repainter>& repainter) { repainter.reset(); },
-              [tell = studio.teller()](auto&, const std::string& fault) { tell(fault); }) {
+              [tell = studio.teller()](auto&, const core::Message& fault) { tell(fault); }) {
     studio_.commands().on(Command::PaintAgain, [this](bool) { ask(); });
 }
 
@@ -124,9 +125,9 @@ void PaintingAgain::save(Painted painted, const QString& path) {
     saving_.start([this, painted = std::move(painted), picture,
                    name](const BackgroundExport::Stops& stops) -> QString {
         QString told;
-        const std::string fault =
+        const core::Message fault =
             core::fault_of([&] { told = written(*painted, picture, name, stops); });
-        if (!fault.empty()) told = QString::fromStdString(fault);
+        if (!fault.empty()) told = appearance::shown_message(fault);
         const bool is_kept = fault.empty() && project::is_project_path(picture.path);
         QMetaObject::invokeMethod(
             this, [this, told, is_kept] { end_saving(told, is_kept); }, Qt::QueuedConnection);

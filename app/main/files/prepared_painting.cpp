@@ -14,7 +14,7 @@ namespace {
 void check_room(const std::filesystem::path& root) {
     constexpr std::uint64_t kLeast_bytes = 4 << 20;
     if (core::free_bytes(root).value_or(kLeast_bytes) < kLeast_bytes)
-        throw core::InputError(root.string() + ": the disk is full.");
+        throw core::InputError("%1: the disk is full.", root.string());
 }
 
 }  // namespace
@@ -54,6 +54,6 @@ MadePainting bare_painting(const document::CanvasSettings& canvas) {
 FirstCanvas::FirstCanvas(const document::CanvasSettings& canvas)
     : make_([canvas] { return bare_painting(canvas); }),
       made_(make_.get_future()),
-      thread_([this] { make_(); }, [](const std::string&) {}) {}
+      thread_([this] { make_(); }, [](const core::Message&) {}) {}
 
 }  // namespace pastoso::main

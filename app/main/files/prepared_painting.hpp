@@ -32,7 +32,7 @@ struct PreparedPainting {
     std::uint64_t journal_number = 0;
     session::PaintSession::BeginJournal begin_journal{};
     std::unique_ptr<journal::JournalWriter> journal{};
-    std::string journal_fault{};  ///< why there is none yet
+    core::Message journal_fault{};  ///< why there is none yet
 
     /// On any thread. A painting that cannot be kept in a journal is painted nevertheless.
     PreparedPainting(MadePainting painting, journal::Beginning beginning, const JournalTerms& terms);

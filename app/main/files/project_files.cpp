@@ -32,7 +32,7 @@ project::LoadedProject imported(const std::filesystem::path& path, core::ThreadP
 /// A project file's painting.
 struct OpenedPainting {
     std::optional<commands::FileStamp> stamp;
-    std::vector<std::string> notes;
+    std::vector<core::Message> notes;
     SharedPainting painting;
 };
 
@@ -147,8 +147,8 @@ void ProjectFiles::put_up_new(PreparedPainting& painting) {
 }
 
 void ProjectFiles::tell_arithmetic(const document::Recording& recording) {
-    const std::string older = document::arithmetic_note(recording.arithmetic);
-    if (!older.empty()) studio_.report_notes({}, {"Its strokes " + older});
+    const core::Message older = document::arithmetic_note(recording.arithmetic);
+    if (!older.empty()) studio_.report_notes({}, {core::message("its strokes %1", older)});
 }
 
 void ProjectFiles::show_modified() {

@@ -1,6 +1,7 @@
 // The part of ProjectFiles that keeps paintings on the disk as they grow, and finds those that were left
 // unfinished.
 
+#include "appearance/shown_message.hpp"
 #include "commands/file_stamp.hpp"
 #include "core/disk.hpp"
 #include "core/error.hpp"
@@ -53,7 +54,7 @@ struct ProjectFiles::RecoveredPainting {
 ProjectFiles::RecoveredPainting ProjectFiles::RecoveredPainting::from(
     const std::filesystem::path& folder, const JournalTerms& terms, const core::Progress& progress) {
     auto claim = journal::Claim::on(folder);
-    if (!claim) throw core::InputError(folder.string() + ": another program is at it.");
+    if (!claim) throw core::InputError("%1: another program is at it.", folder.string());
     auto pool = std::make_unique<core::ThreadPool>();
     const auto state =
         std::make_shared<const journal::Recovered>(journal::recover(folder, *pool, progress));
@@ -93,7 +94,7 @@ void ProjectFiles::show_trouble(const journal::Trouble& trouble) {
     }
     const std::filesystem::path root = journal::journals_path();
     const QString place = QString::fromStdString(root.string());
-    const QString reason = QString::fromStdString(trouble.reason);
+    const QString reason = appearance::shown_message(trouble.reason);
     QString sentence;
     if (trouble.strokes_are_kept)
         sentence = tr("Should the program fail, this painting would come back slowly, from its strokes "

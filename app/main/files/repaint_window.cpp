@@ -1,5 +1,6 @@
 #include "main/files/repaint_window.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "main/queued_refresh.hpp"
 #include "panels/history/recorder_panel.hpp"
 
@@ -86,7 +87,7 @@ void RepaintWindow::show_published() {
     progress_->setValue(static_cast<int>(std::floor(kSteps * status.done)));
     if (!status.error.empty()) {
         time_->setText(tr("It cannot be painted any further"));
-        time_->setToolTip(QString::fromStdString(status.error));
+        time_->setToolTip(appearance::shown_message(status.error));
     } else {
         time_->setText(is_whole ? tr("Finished") : time_left(status));
     }

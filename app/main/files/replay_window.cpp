@@ -1,5 +1,6 @@
 #include "main/files/replay_window.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "main/queued_refresh.hpp"
 #include "panels/history/recorder_panel.hpp"
 
@@ -85,7 +86,7 @@ void ReplayWindow::show_published() {
     play_->setText(status.playing ? tr("Pause") : tr("Play"));
     if (!status.error.empty()) {
         time_->setText(tr("It cannot be shown any further"));
-        time_->setToolTip(QString::fromStdString(status.error));
+        time_->setToolTip(appearance::shown_message(status.error));
     } else {
         time_->setText(tr("%1 of %2").arg(time_of(status.tick), time_of(status.end_tick)));
     }

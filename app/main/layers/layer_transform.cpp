@@ -1,5 +1,6 @@
 #include "main/layers/layer_transform.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "dialogs/transform_dialog.hpp"
 #include "panels/pen/brush_panel.hpp"
@@ -28,7 +29,7 @@ QString problem_of(const document::LayerStack& layers) {
         document::check_paintable(layers, layers.active);
         return {};
     } catch (const core::InputError& error) {
-        return QString::fromUtf8(error.what());
+        return appearance::shown_message(error.message());
     }
 }
 

@@ -1,5 +1,6 @@
 #include "main/liquids/glass_mode.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "glass/glass_view.hpp"
 #include "graphics/opengl_support.hpp"
@@ -105,9 +106,9 @@ void GlassMode::go_on() {
 // ---- what is published
 
 bool GlassMode::tell_refusals() {
-    const std::vector<std::string> errors = session().take_errors();
-    for (const std::string& error : errors)
-        studio_.report_refusal(QString::fromStdString(error));
+    const std::vector<core::Message> errors = session().take_errors();
+    for (const core::Message& error : errors)
+        studio_.report_refusal(appearance::shown_message(error));
     return !errors.empty();
 }
 
@@ -143,8 +144,8 @@ void GlassMode::ask_export() {
 void GlassMode::export_mesh(const QString& path) {
     const std::filesystem::path file = path.toStdString();
     if (!liquid_files::is_mesh_path(file))
-        throw core::InputError(file.string() +
-                               ": the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.");
+        throw core::InputError("%1: the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.",
+                               file.string());
     const MeshWriter write = mesh_writer();
     if (!write) return;
     export_.start([write, file, told = words_.exported.arg(path)](const BackgroundExport::Stops& stops) {

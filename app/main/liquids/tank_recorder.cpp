@@ -1,5 +1,6 @@
 #include "main/liquids/tank_recorder.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "files/image.hpp"
 #include "glass/tank_view.hpp"
 #include "main/liquids/tank_surface_file.hpp"
@@ -51,7 +52,7 @@ TankRecorder::TankRecorder(session::TankSession& session, glass::TankView& view)
               order.write(order.file);
               tell_done(order.what, {});
           },
-          [this](Order& order, const std::string& fault) { tell_done(order.what, fault); }, kNice) {
+          [this](Order& order, const core::Message& fault) { tell_done(order.what, fault); }, kNice) {
     // It comes while a frame is drawn.
     connect(&view_, &glass::TankView::picture_finished, this, &TankRecorder::proceed,
             Qt::QueuedConnection);
@@ -107,9 +108,9 @@ bool TankRecorder::take(Recorded what) {
     return true;
 }
 
-void TankRecorder::tell_done(Recorded what, const std::string& error) {
+void TankRecorder::tell_done(Recorded what, const core::Message& error) {
     QMetaObject::invokeMethod(
-        this, [this, what, error = QString::fromStdString(error)] { file_done(what, error); },
+        this, [this, what, error = appearance::shown_message(error)] { file_done(what, error); },
         Qt::QueuedConnection);
 }
 

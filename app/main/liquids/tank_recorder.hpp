@@ -72,7 +72,7 @@ class TankRecorder : public QObject {
     void proceed();
     bool take(Recorded what);
     Write writer(Recorded what);
-    void tell_done(Recorded what, const std::string& error);
+    void tell_done(Recorded what, const core::Message& error);
     void file_done(Recorded what, const QString& error);
     void end(Recorded what, const QString& told);
 

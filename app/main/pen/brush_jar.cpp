@@ -1,5 +1,6 @@
 #include "main/pen/brush_jar.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "appearance/shown_names.hpp"
 #include "core/looking.hpp"
 #include "core/text.hpp"
@@ -65,7 +66,8 @@ std::vector<panels::BrushEntry> entries_of(const brush::PresetLibrary& library) 
             {QString::fromStdString(preset.name), family_of(preset).heading, preset.tip.width_mm, own});
     for (const auto& [file, sentence] : library.faults)
         entries.push_back({QString::fromStdString(file.filename().string()),
-                           QObject::tr("Cannot be read"), 0.0, true, QString::fromStdString(sentence)});
+                           QObject::tr("Cannot be read"), 0.0, true,
+                           appearance::shown_message(sentence)});
     return entries;
 }
 
@@ -149,7 +151,7 @@ void BrushJar::read() {
     if (!watched.isEmpty()) files_.addPaths(watched);
     list();
     for (const auto& fault : library_.faults)
-        studio_.report(QString::fromStdString(fault.sentence));
+        studio_.report(appearance::shown_message(fault.sentence));
 }
 
 void BrushJar::list() {

@@ -1,5 +1,6 @@
 #include "main/program/application.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "core/fault.hpp"
 #include "core/printable.hpp"
 
@@ -17,9 +18,9 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
 bool Application::notify(QObject* receiver, QEvent* event) {
     bool is_handled = false;
     core::guarded([&] { is_handled = QApplication::notify(receiver, event); },
-                  [this](const std::string& fault) {
-                      std::fprintf(stderr, "pastoso: %s\n", core::printable(fault).c_str());
-                      Q_EMIT failed(QString::fromStdString(fault));
+                  [this](const core::Message& fault) {
+                      std::fprintf(stderr, "pastoso: %s\n", core::printable(fault.text()).c_str());
+                      Q_EMIT failed(appearance::shown_message(fault));
                   });
     return is_handled;
 }

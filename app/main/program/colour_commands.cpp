@@ -1,6 +1,7 @@
 #include "main/program/colour_commands.hpp"
 
 #include "appearance/screen_colours.hpp"
+#include "appearance/shown_message.hpp"
 #include "main/program/x11_profile.hpp"
 
 #include <utility>
@@ -78,10 +79,10 @@ void ColourCommands::prove(bool ScreenProfiles::*proof, bool on) {
 void ColourCommands::read_profiles() {
     profiles_.monitor = preferences_.monitor.empty() ? system_ : IccProfile();
     profiles_.printer.clear();
-    std::string fault = preferences_.monitor.empty() ? system_fault_ : "";
+    core::Message fault = preferences_.monitor.empty() ? system_fault_ : core::Message();
     const auto read = [&](const std::string& file, auto reader, IccProfile& profile) {
         if (file.empty()) return;
-        const std::string why = core::fault_of([&] { profile = reader(file); });
+        const core::Message why = core::fault_of([&] { profile = reader(file); });
         if (fault.empty()) fault = why;
     };
     if (preferences_.monitor == "file")
@@ -90,7 +91,7 @@ void ColourCommands::read_profiles() {
     if (fault.empty())
         studio_.messages().solve(panels::Matter::Colours);
     else
-        studio_.messages().raise({panels::Matter::Colours, QString::fromStdString(fault)});
+        studio_.messages().raise({panels::Matter::Colours, appearance::shown_message(fault)});
     show();
 }
 

@@ -39,7 +39,7 @@ class ColourCommands : public QObject {
     tools::Preferences preferences_;
     files::IccProfile system_;
     QString system_name_;
-    std::string system_fault_;
+    core::Message system_fault_;
     files::ScreenProfiles profiles_;
     std::optional<files::ScreenProfiles> shown_;
 };

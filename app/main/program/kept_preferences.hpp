@@ -2,16 +2,16 @@
 // is wrong with them.
 #pragma once
 
+#include "core/message.hpp"
 #include "tools/preferences.hpp"
 
 #include <filesystem>
-#include <string>
 
 namespace pastoso::main {
 
 struct KeptPreferences {
     tools::Preferences values;  ///< those at first where the file cannot be read
-    std::string fault;          ///< why it cannot; empty where it can
+    core::Message fault;        ///< why it cannot; empty where it can
 };
 
 /// Where they are kept; empty where there is no home.

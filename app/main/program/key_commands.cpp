@@ -30,15 +30,15 @@ QKeySequence key_of(const std::string& text) {
 }
 
 void check_set(const std::string& name) {
-    if (!set_named(name)) throw core::InputError("\"" + name + "\" is not one of krita and photoshop.");
+    if (!set_named(name)) throw core::InputError("\"%1\" is not one of krita and photoshop.", name);
 }
 
 void check_key(const std::string& text) {
     const QKeySequence key = key_of(text);
     const bool known = key.count() == 1 && key[0].key() != Qt::Key_unknown;
-    if (!known) throw core::InputError("\"" + text + "\" is not a key such as Ctrl+Shift+Z.");
+    if (!known) throw core::InputError("\"%1\" is not a key such as Ctrl+Shift+Z.", text);
     if (commands::is_reserved(key))
-        throw core::InputError("\"" + text + "\" is needed on the canvas itself.");
+        throw core::InputError("\"%1\" is needed on the canvas itself.", text);
 }
 
 tools::KeySettings settings_of(const KeyBindings& bindings) {

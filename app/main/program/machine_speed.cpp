@@ -40,7 +40,7 @@ double live_px_per_mm() {
     core::ThreadPool pool;
     if (const auto known = kept(pool.thread_count())) return *known;
     double measured = kUnmeasured_px_per_mm;
-    const std::string fault = core::fault_of([&] {
+    const core::Message fault = core::fault_of([&] {
         measured = session::live_px_per_mm(
             [&](double px_per_mm) { return session::painting_load(px_per_mm, pool); });
     });

@@ -10,7 +10,10 @@ SceneArray = Tuple[bool, int, Floats]
 
 version: str
 
-class InputError(ValueError): ...
+class InputError(ValueError):
+    code: str
+    arguments: list[str]
+
 class InternalError(RuntimeError): ...
 
 class Pigment(TypedDict):

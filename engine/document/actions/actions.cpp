@@ -31,18 +31,25 @@ class NewestField {
 
 }  // namespace
 
-void check_between(std::string_view name, std::string_view unit, double value, double low, double high) {
+void check_between(const core::Message& name, core::Pattern<0> unit, double value, double low,
+                   double high) {
     if (value >= low && value <= high) return;
-    const std::string in_unit = unit.empty() ? "" : " in " + std::string(unit);
-    throw core::InputError("the " + std::string(name) + in_unit + " is " + core::number_text(value) +
-                           ", but must lie between " + core::number_text(low) + " and " + core::number_text(high) +
-                           ".");
+    if (std::string_view(unit.words()).empty())
+        throw core::InputError("the %1 is %2, but must lie between %3 and %4.", name, value, low, high);
+    throw core::InputError("the %1 in %2 is %3, but must lie between %4 and %5.", name,
+                           core::message(unit), value, low, high);
 }
 
-void check_length(std::string_view name, const std::string& text, std::size_t most_bytes) {
+/// What fits, as samples do by the thousand, needs no message.
+void check_between(core::Pattern<0> name, core::Pattern<0> unit, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    check_between(core::message(name), unit, value, low, high);
+}
+
+void check_length(core::Pattern<0> name, const std::string& text, std::size_t most_bytes) {
     if (text.size() <= most_bytes) return;
-    throw core::InputError("the " + std::string(name) + " has " + std::to_string(text.size()) +
-                           " bytes, but at most " + std::to_string(most_bytes) + " are kept.");
+    throw core::InputError("the %1 has %2 bytes, but at most %3 are kept.", core::message(name),
+                           text.size(), most_bytes);
 }
 
 UndoRole undo_role(const Action& action) {

@@ -13,7 +13,8 @@ void check_whole(const SetGuide& set) {
     if (ruler == nullptr) return;
     constexpr double kFarthest_mm = 4.0 * kMaxPenPosition_mm;
     const double length_mm = std::hypot(ruler->x2_mm - ruler->x1_mm, ruler->y2_mm - ruler->y1_mm);
-    check_between("distance of the ruler's points", "mm", length_mm, kShortestGuide_mm, kFarthest_mm);
+    check_between(core::message("distance of the ruler's points"), "mm", length_mm, kShortestGuide_mm,
+                  kFarthest_mm);
 }
 
 void put_in_hand(const SetStabiliser& set, PaintingValue& painting) {

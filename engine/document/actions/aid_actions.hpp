@@ -51,11 +51,11 @@ struct Table<SetStabiliser> {
     static constexpr void fields(auto&& visit) {
         using Stabiliser = brush::Stabiliser;
         visit(Number<At<&SetStabiliser::stabiliser, &Stabiliser::smoothing_ms>>{
-            "smoothing_ms", "smoothing of the stabiliser", "ms", 0.0, 2000.0, Presence::Written,
-            "added to the brush's own"});
+            "smoothing_ms", core::Pattern<0>("smoothing of the stabiliser"), "ms", 0.0, 2000.0,
+            Presence::Written, "added to the brush's own"});
         visit(Number<At<&SetStabiliser::stabiliser, &Stabiliser::string_mm>>{
-            "string_mm", "string of the stabiliser", "mm", 0.0, 200.0, Presence::Written,
-            "pulls the brush, where it is longer than the brush's own"});
+            "string_mm", core::Pattern<0>("string of the stabiliser"), "mm", 0.0, 200.0,
+            Presence::Written, "pulls the brush, where it is longer than the brush's own"});
     }
 };
 
@@ -77,11 +77,12 @@ struct Table<brush::Ruler> {
     static constexpr void fields(auto&& visit) {
         using brush::Ruler;
         constexpr double kFar_mm = kMaxPenPosition_mm;
-        visit(Pair<At<&Ruler::x1_mm>, At<&Ruler::y1_mm>>{"from_mm", "ruler's first point", "mm",
+        visit(Pair<At<&Ruler::x1_mm>, At<&Ruler::y1_mm>>{"from_mm",
+                                                         core::Pattern<0>("ruler's first point"), "mm",
                                                          -kFar_mm, kFar_mm, Presence::Required});
-        visit(Pair<At<&Ruler::x2_mm>, At<&Ruler::y2_mm>>{"to_mm", "ruler's second point", "mm", -kFar_mm,
-                                                         kFar_mm, Presence::Required,
-                                                         "at least 0.1 mm from the first"});
+        visit(Pair<At<&Ruler::x2_mm>, At<&Ruler::y2_mm>>{
+            "to_mm", core::Pattern<0>("ruler's second point"), "mm", -kFar_mm, kFar_mm,
+            Presence::Required, "at least 0.1 mm from the first"});
     }
 };
 
@@ -93,13 +94,15 @@ struct Table<brush::EllipseCurve> {
         using enum Presence;
         constexpr double kFar_mm = kMaxPenPosition_mm;
         visit(Pair<At<&Ellipse::centre_x_mm>, At<&Ellipse::centre_y_mm>>{
-            "centre_mm", "ellipse's centre", "mm", -kFar_mm, kFar_mm, Required});
-        visit(Number<At<&Ellipse::half_width_mm>>{"half_width_mm", "half width of the ellipse", "mm",
+            "centre_mm", core::Pattern<0>("ellipse's centre"), "mm", -kFar_mm, kFar_mm, Required});
+        visit(Number<At<&Ellipse::half_width_mm>>{"half_width_mm",
+                                                  core::Pattern<0>("half width of the ellipse"), "mm",
                                                   kShortestGuide_mm, kFar_mm, Required});
-        visit(Number<At<&Ellipse::half_height_mm>>{"half_height_mm", "half height of the ellipse", "mm",
+        visit(Number<At<&Ellipse::half_height_mm>>{"half_height_mm",
+                                                   core::Pattern<0>("half height of the ellipse"), "mm",
                                                    kShortestGuide_mm, kFar_mm, Required});
-        visit(Number<At<&Ellipse::turn_deg>>{"turn_deg", "turn of the ellipse", "degrees", -360.0, 360.0,
-                                             Written});
+        visit(Number<At<&Ellipse::turn_deg>>{"turn_deg", core::Pattern<0>("turn of the ellipse"),
+                                             core::Pattern<0>("degrees"), -360.0, 360.0, Written});
     }
 };
 
@@ -111,7 +114,8 @@ struct Table<SetGuide> {
         using Guide = brush::PenGuide;
         visit(OneOf<At<&SetGuide::guide, &Guide::form>>{"form", "guide"});
         visit(Number<At<&SetGuide::guide, &Guide::reach_mm>>{
-            "reach_mm", "reach of the guide", "mm", 0.0, kMaxPenPosition_mm, Presence::Optional,
+            "reach_mm", core::Pattern<0>("reach of the guide"), "mm", 0.0, kMaxPenPosition_mm,
+            Presence::Optional,
             "how near a ruler or an ellipse a stroke has to start to run along it; others run beside "
             "it"});
         visit(Truth<At<&SetGuide::guide, &Guide::turn_across>>{
@@ -131,16 +135,19 @@ struct Table<SetSymmetry> {
         using brush::Symmetry;
         using enum Presence;
         constexpr double kFar_mm = kMaxPenPosition_mm;
-        visit(Number<Here<&Symmetry::centre_x_mm>>{"centre_x_mm", "x of the centre of the symmetry",
+        visit(Number<Here<&Symmetry::centre_x_mm>>{"centre_x_mm",
+                                                   core::Pattern<0>("x of the centre of the symmetry"),
                                                    "mm", -kFar_mm, kFar_mm, Required});
-        visit(Number<Here<&Symmetry::centre_y_mm>>{"centre_y_mm", "y of the centre of the symmetry",
+        visit(Number<Here<&Symmetry::centre_y_mm>>{"centre_y_mm",
+                                                   core::Pattern<0>("y of the centre of the symmetry"),
                                                    "mm", -kFar_mm, kFar_mm, Required});
-        visit(Number<Here<&Symmetry::axis_deg>>{"axis_deg", "axis of the symmetry", "degrees", -360.0,
-                                                360.0, Optional, "direction of the mirror"});
+        visit(Number<Here<&Symmetry::axis_deg>>{"axis_deg", core::Pattern<0>("axis of the symmetry"),
+                                                core::Pattern<0>("degrees"), -360.0, 360.0, Optional,
+                                                "direction of the mirror"});
         visit(
             Truth<Here<&Symmetry::mirror>>{"mirror", "mirror", Optional, "mirrors every copy as well"});
-        visit(Whole<Here<&Symmetry::count>>{"count", "number of the symmetry's copies", 1, kMostCopies,
-                                            Optional, "turned evenly about the centre"});
+        visit(Whole<Here<&Symmetry::count>>{"count", core::Pattern<0>("number of the symmetry's copies"),
+                                            1, kMostCopies, Optional, "turned evenly about the centre"});
     }
 };
 

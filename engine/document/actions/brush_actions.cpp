@@ -25,7 +25,7 @@ TakeBrush told_in_full(TakeBrush take) {
 
 brush::Preset preset_of(const TakeBrush& take) {
     if (take.definition.empty()) return brush::find_preset(take.preset);
-    return brush::parse_preset(take.definition, "the brush \"" + take.preset + "\"");
+    return brush::parse_preset(take.definition, core::message("the brush \"%1\"", take.preset));
 }
 
 void check_whole(const TakeBrush& take) {

@@ -87,10 +87,10 @@ struct Table<TakeBrush> {
                           .presence = Presence::Required,
                           .note = "the name of one that comes with the program, or all of a preset "
                                   "as in its file"});
-        visit(Number<At<&TakeBrush::size_mm>>{"size_mm", "width of the brush", "mm", 0.5, 200.0,
-                                              Presence::Optional, "0: the preset's own"});
-        visit(
-            Whole<At<&TakeBrush::seed>>{"seed", "seed of the brush", 0, UINT32_MAX, Presence::Optional});
+        visit(Number<At<&TakeBrush::size_mm>>{"size_mm", core::Pattern<0>("width of the brush"), "mm",
+                                              0.5, 200.0, Presence::Optional, "0: the preset's own"});
+        visit(Whole<At<&TakeBrush::seed>>{"seed", core::Pattern<0>("seed of the brush"), 0, UINT32_MAX,
+                                          Presence::Optional});
     }
 };
 
@@ -108,17 +108,19 @@ struct Table<LoadPaint> {
         using enum Presence;
         visit(Value<At<&LoadPaint::paint>>{"paint", "paint", Required});
         visit(Value<At<&LoadPaint::second>>{"second", "second paint", Optional, "for two at once"});
-        visit(Number<At<&LoadPaint::second_share>>{"second_share", "share of the second paint", "", 0.0,
-                                                   1.0, Optional, "the mean of all bristles"});
-        visit(Number<At<&LoadPaint::share_variation>>{"share_variation", "variation of the share", "",
+        visit(Number<At<&LoadPaint::second_share>>{"second_share",
+                                                   core::Pattern<0>("share of the second paint"), "",
+                                                   0.0, 1.0, Optional, "the mean of all bristles"});
+        visit(Number<At<&LoadPaint::share_variation>>{"share_variation",
+                                                      core::Pattern<0>("variation of the share"), "",
                                                       0.0, 1.0, Optional, "from bristle to bristle"});
         visit(Truth<At<&LoadPaint::side_by_side>>{"side_by_side", "double load", Optional,
                                                   "one half of the tip in each paint"});
         visit(Truth<At<&LoadPaint::tip_only>>{
             "tip_only", "dip of the tip alone", Optional,
             "only the hairs that reach deepest; the others keep what they hold", 3});
-        visit(Number<At<&LoadPaint::fill>>{"fill", "fill of the brush", "", 0.0, 1.2, Optional,
-                                           "of what it can hold"});
+        visit(Number<At<&LoadPaint::fill>>{"fill", core::Pattern<0>("fill of the brush"), "", 0.0, 1.2,
+                                           Optional, "of what it can hold"});
     }
 };
 
@@ -133,8 +135,9 @@ struct Table<CleanBrush> {
                                           .stroke = StrokeRole::Ends,
                                           .in_set_up = false};
     static constexpr void fields(auto&& visit) {
-        visit(Number<At<&CleanBrush::share>>{"share", "share that is wiped off the brush", "", 0.0, 1.0,
-                                             Presence::Optional, "of what every bristle holds"});
+        visit(Number<At<&CleanBrush::share>>{
+            "share", core::Pattern<0>("share that is wiped off the brush"), "", 0.0, 1.0,
+            Presence::Optional, "of what every bristle holds"});
     }
 };
 

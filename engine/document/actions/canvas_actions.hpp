@@ -40,11 +40,12 @@ template <>
 struct Table<TiltCanvas> {
     static constexpr ActionTraits kTraits = setting("tilt_canvas", 1, "leans the canvas");
     static constexpr void fields(auto&& visit) {
-        visit(Number<At<&TiltCanvas::tilt_deg>>{"tilt_deg", "tilt of the canvas", "degrees", 0.0, 90.0,
+        visit(Number<At<&TiltCanvas::tilt_deg>>{"tilt_deg", core::Pattern<0>("tilt of the canvas"),
+                                                core::Pattern<0>("degrees"), 0.0, 90.0,
                                                 Presence::Required, "0 flat, 90 upright"});
         visit(Number<At<&TiltCanvas::direction_deg>>{
-            "direction_deg", "direction of the tilt", "degrees", -360.0, 360.0, Presence::Written,
-            "where down points: 0 right, 90 to the lower edge"});
+            "direction_deg", core::Pattern<0>("direction of the tilt"), core::Pattern<0>("degrees"),
+            -360.0, 360.0, Presence::Written, "where down points: 0 right, 90 to the lower edge"});
     }
 };
 
@@ -58,13 +59,15 @@ struct Table<ResizeCanvas> {
     static constexpr void fields(auto&& visit) {
         using enum Presence;
         constexpr double kFar_mm = kMaxPenPosition_mm;
-        visit(Number<At<&ResizeCanvas::x_mm>>{"x_mm", "x of the new canvas", "mm", -kFar_mm, kFar_mm,
-                                              Written});
-        visit(Number<At<&ResizeCanvas::y_mm>>{"y_mm", "y of the new canvas", "mm", -kFar_mm, kFar_mm,
-                                              Written});
-        visit(Number<At<&ResizeCanvas::width_mm>>{"width_mm", "width of the new canvas", "mm",
+        visit(Number<At<&ResizeCanvas::x_mm>>{"x_mm", core::Pattern<0>("x of the new canvas"), "mm",
+                                              -kFar_mm, kFar_mm, Written});
+        visit(Number<At<&ResizeCanvas::y_mm>>{"y_mm", core::Pattern<0>("y of the new canvas"), "mm",
+                                              -kFar_mm, kFar_mm, Written});
+        visit(Number<At<&ResizeCanvas::width_mm>>{"width_mm",
+                                                  core::Pattern<0>("width of the new canvas"), "mm",
                                                   kMinCanvasSide_mm, kMaxCanvasSide_mm, Required});
-        visit(Number<At<&ResizeCanvas::height_mm>>{"height_mm", "height of the new canvas", "mm",
+        visit(Number<At<&ResizeCanvas::height_mm>>{"height_mm",
+                                                   core::Pattern<0>("height of the new canvas"), "mm",
                                                    kMinCanvasSide_mm, kMaxCanvasSide_mm, Required});
     }
 };

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/error.hpp"
-#include "core/number_text.hpp"
 #include "document/actions/table.hpp"
 
 #include <string>
@@ -11,11 +10,14 @@
 
 namespace pastoso::document {
 
-/// Throws InputError "the NAME is V, but must lie between A and B."
-void check_between(std::string_view name, std::string_view unit, double value, double low, double high);
+/// Throws InputError "the NAME in UNIT is V, but must lie between A and B."; of a pure number, with the
+/// unit "", "the NAME is V, but ...".
+void check_between(const core::Message& name, core::Pattern<0> unit, double value, double low,
+                   double high);
+void check_between(core::Pattern<0> name, core::Pattern<0> unit, double value, double low, double high);
 
 /// Throws InputError when there are more than `most_bytes`.
-void check_length(std::string_view name, const std::string& text, std::size_t most_bytes);
+void check_length(core::Pattern<0> name, const std::string& text, std::size_t most_bytes);
 
 template <class Told>
 void check_fields(const Told& told);
@@ -38,9 +40,10 @@ class FieldChecker {
     }
     template <class X, class Y>
     void operator()(const Pair<X, Y>& field) const {
-        check_between("x of the " + std::string(field.name), field.unit, X::of(told_), field.low,
+        const core::Message name = core::message(field.name);
+        check_between(core::message("x of the %1", name), field.unit, X::of(told_), field.low,
                       field.high);
-        check_between("y of the " + std::string(field.name), field.unit, Y::of(told_), field.low,
+        check_between(core::message("y of the %1", name), field.unit, Y::of(told_), field.low,
                       field.high);
     }
     template <class Place>

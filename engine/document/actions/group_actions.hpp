@@ -45,8 +45,8 @@ struct Table<GroupLayers> {
                "puts layers that lie next to each other and are in no "
                "group into a new one. Groups are numbered like layers");
     static constexpr void fields(auto&& visit) {
-        visit(
-            Text<At<&GroupLayers::name>>{"name", "name of a group", kMostLayerName, Presence::Required});
+        visit(Text<At<&GroupLayers::name>>{"name", core::Pattern<0>("name of a group"), kMostLayerName,
+                                           Presence::Required});
         visit(Value<At<&GroupLayers::layers>>{"layers", "numbers of the layers", Presence::Required,
                                               "a list of them"});
     }
@@ -69,7 +69,7 @@ struct Table<MoveGroup> {
     static constexpr void fields(auto&& visit) {
         visit(kGroupNumber<&MoveGroup::group>);
         visit(Whole<At<&MoveGroup::place>>{
-            "place", "position of the group", 0, kMostLayers, Presence::Required,
+            "place", core::Pattern<0>("position of the group"), 0, kMostLayers, Presence::Required,
             "how many layers that are not in it are below it afterwards"});
     }
 };

@@ -9,7 +9,7 @@ namespace pastoso::document {
 namespace {
 
 void check_scale(const char* axis, double scale) {
-    check_between(std::string("scale of the transform along ") + axis + ", without its sign,", "",
+    check_between(core::message("scale of the transform along %1, without its sign,", axis), "",
                   std::abs(scale), kLeastScale, kMostScale);
 }
 

@@ -86,7 +86,8 @@ struct Table<AddLayer> {
         "adds a bare layer above the active one; it becomes active. Layers are numbered from 1, in "
         "the order in which they come to be");
     static constexpr void fields(auto&& visit) {
-        visit(Text<At<&AddLayer::name>>{"name", "name of a layer", kMostLayerName, Presence::Required});
+        visit(Text<At<&AddLayer::name>>{"name", core::Pattern<0>("name of a layer"), kMostLayerName,
+                                        Presence::Required});
     }
 };
 
@@ -150,13 +151,14 @@ struct Table<TransformLayer> {
         using enum Presence;
         constexpr double kFar_mm = kMaxPenPosition_mm;
         visit(Pair<In<&Transform::centre_x_mm>, In<&Transform::centre_y_mm>>{
-            "centre_mm", "transform's centre", "mm", -kFar_mm, kFar_mm, Written});
+            "centre_mm", core::Pattern<0>("transform's centre"), "mm", -kFar_mm, kFar_mm, Written});
         visit(Pair<In<&Transform::move_x_mm>, In<&Transform::move_y_mm>>{
-            "move_mm", "transform's move", "mm", -kFar_mm, kFar_mm, Written});
-        visit(Number<In<&Transform::turn_deg>>{"turn_deg", "turn of the transform", "degrees", -360.0,
-                                               360.0, Written, "clockwise"});
+            "move_mm", core::Pattern<0>("transform's move"), "mm", -kFar_mm, kFar_mm, Written});
+        visit(Number<In<&Transform::turn_deg>>{"turn_deg", core::Pattern<0>("turn of the transform"),
+                                               core::Pattern<0>("degrees"), -360.0, 360.0, Written,
+                                               "clockwise"});
         visit(Pair<In<&Transform::scale_x>, In<&Transform::scale_y>>{
-            "scale", "transform's scale", "", -kMostScale, kMostScale, Written,
+            "scale", core::Pattern<0>("transform's scale"), "", -kMostScale, kMostScale, Written,
             "at least 0.05 each; negative to mirror"});
     }
 };
@@ -167,11 +169,11 @@ struct Table<MoveLayer> {
         change("move_layer", 5, step_name("Layer moved"), "changes the order of layers");
     static constexpr void fields(auto&& visit) {
         visit(kLayerNumber<&MoveLayer::layer>);
-        visit(Whole<At<&MoveLayer::place>>{"place", "position of the layer", 0, kMostLayers,
-                                           Presence::Required,
+        visit(Whole<At<&MoveLayer::place>>{"place", core::Pattern<0>("position of the layer"), 0,
+                                           kMostLayers, Presence::Required,
                                            "how many of the others are below it afterwards"});
-        visit(Whole<At<&MoveLayer::group>>{"group", "group of the layer", 0, kMostId, Presence::Optional,
-                                           "that it is in then; 0: none"});
+        visit(Whole<At<&MoveLayer::group>>{"group", core::Pattern<0>("group of the layer"), 0, kMostId,
+                                           Presence::Optional, "that it is in then; 0: none"});
     }
 };
 

@@ -11,21 +11,22 @@ namespace pastoso::document {
 inline constexpr std::int64_t kMostId = std::numeric_limits<LayerId>::max();
 
 template <auto kMember>
-inline constexpr Whole<At<kMember>> kLayerNumber{"layer", "number of the layer", 1, kMostId,
-                                                 Presence::Required};
+inline constexpr Whole<At<kMember>> kLayerNumber{"layer", core::Pattern<0>("number of the layer"), 1,
+                                                 kMostId, Presence::Required};
 template <auto kMember>
-inline constexpr Whole<At<kMember>> kGroupNumber{"group", "number of the group", 1, kMostId,
-                                                 Presence::Required};
+inline constexpr Whole<At<kMember>> kGroupNumber{"group", core::Pattern<0>("number of the group"), 1,
+                                                 kMostId, Presence::Required};
 
 template <>
 struct Table<LayerLook> {
     static constexpr void fields(auto&& visit) {
         using enum Presence;
-        visit(Text<At<&LayerLook::name>>{"name", "name of a layer", kMostLayerName, Required});
+        visit(Text<At<&LayerLook::name>>{"name", core::Pattern<0>("name of a layer"), kMostLayerName,
+                                         Required});
         visit(Truth<At<&LayerLook::visible>>{"visible", "visible", Optional});
         visit(Truth<At<&LayerLook::locked>>{"locked", "locked", Optional, "nothing is painted on it"});
-        visit(
-            Number<At<&LayerLook::opacity>>{"opacity", "opacity of the layer", "", 0.0, 1.0, Optional});
+        visit(Number<At<&LayerLook::opacity>>{"opacity", core::Pattern<0>("opacity of the layer"), "",
+                                              0.0, 1.0, Optional});
     }
 };
 

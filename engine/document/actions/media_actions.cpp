@@ -13,7 +13,7 @@ film::Medium medium_of(const UseMedium& use) {
 }
 
 void check_whole(const UseMedium& use) {
-    film::check_numbers(medium_of(use), "the medium");
+    film::check_numbers(medium_of(use), core::message("the medium"));
 }
 
 void check_possible(const DryNow&, const LivingPainting& painting) {

@@ -62,8 +62,8 @@ struct Table<UseMedium> {
             "numbers", "numbers of one's own", Presence::Optional,
             "any of the [numbers of a medium](media.md), which take the place of its own", 8});
         visit(Number<At<&UseMedium::paint_share>>{
-            "paint_share", "share of paint", "", film::kLeastPaintShare, 1.0, Presence::Optional,
-            "by volume; the rest is what [thins the medium](media.md)", 10});
+            "paint_share", core::Pattern<0>("share of paint"), "", film::kLeastPaintShare, 1.0,
+            Presence::Optional, "by volume; the rest is what [thins the medium](media.md)", 10});
     }
 };
 
@@ -75,16 +75,18 @@ struct Table<SetDrying> {
     static constexpr void fields(auto&& visit) {
         using Air = film::DryingAir;
         using enum Presence;
-        visit(Number<InAir<&Air::speed>>{"speed", "speed of drying", "", 0.0, kFastestDrying, Required,
+        visit(Number<InAir<&Air::speed>>{"speed", core::Pattern<0>("speed of drying"), "", 0.0,
+                                         kFastestDrying, Required,
                                          "seconds of drying in a second of paint time"});
-        visit(Number<InAir<&Air::fan>>{"fan", "strength of the fan", "", 1.0, 1000.0, Optional,
+        visit(Number<InAir<&Air::fan>>{"fan", core::Pattern<0>("strength of the fan"), "", 1.0, 1000.0,
+                                       Optional,
                                        "how many times faster paint dries in its middle; 1: none"});
-        visit(Number<InAir<&Air::fan_x_mm>>{"fan_x_mm", "x of the fan", "mm", -kMaxPenPosition_mm,
-                                            kMaxPenPosition_mm, Optional});
-        visit(Number<InAir<&Air::fan_y_mm>>{"fan_y_mm", "y of the fan", "mm", -kMaxPenPosition_mm,
-                                            kMaxPenPosition_mm, Optional});
-        visit(Number<InAir<&Air::fan_radius_mm>>{"fan_radius_mm", "radius of the fan", "mm", 0.0,
-                                                 kMaxPenPosition_mm, Optional,
+        visit(Number<InAir<&Air::fan_x_mm>>{"fan_x_mm", core::Pattern<0>("x of the fan"), "mm",
+                                            -kMaxPenPosition_mm, kMaxPenPosition_mm, Optional});
+        visit(Number<InAir<&Air::fan_y_mm>>{"fan_y_mm", core::Pattern<0>("y of the fan"), "mm",
+                                            -kMaxPenPosition_mm, kMaxPenPosition_mm, Optional});
+        visit(Number<InAir<&Air::fan_radius_mm>>{"fan_radius_mm", core::Pattern<0>("radius of the fan"),
+                                                 "mm", 0.0, kMaxPenPosition_mm, Optional,
                                                  "0: everywhere; its effect falls off smoothly"});
     }
 };

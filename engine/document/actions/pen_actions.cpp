@@ -1,7 +1,6 @@
 #include "document/actions/pen_actions.hpp"
 
 #include "core/error.hpp"
-#include "core/number_text.hpp"
 #include "document/living_painting.hpp"
 
 #include <utility>
@@ -24,15 +23,16 @@ void lay_samples(LivingPainting& painting) {
 
 void check_time_order(const brush::PenSample& previous, const brush::PenSample& next) {
     if (next.time_s >= previous.time_s) return;
-    throw core::InputError("the time " + core::number_text(next.time_s) + " s is earlier than " +
-                           core::number_text(previous.time_s) + " s before it.");
+    throw core::InputError("the time %1 s is earlier than %2 s before it.", next.time_s,
+                           previous.time_s);
 }
 
 void check_possible(const PenDown& pen, const LivingPainting& painting) {
     const bool on_canvas = pen.surface == Surface::Canvas;
     if (!painting.value.brush)
-        throw core::InputError(on_canvas ? "the pen touches the canvas with no brush in hand."
-                                         : "the pen touches the mixing well with no brush in hand.");
+        throw core::InputError(
+            on_canvas ? core::message("the pen touches the canvas with no brush in hand.")
+                      : core::message("the pen touches the mixing well with no brush in hand."));
     if (on_canvas) check_paintable(painting.value.layers, painting.value.layers.active);
 }
 

@@ -59,20 +59,23 @@ struct Table<brush::PenSample> {
     using Sample = brush::PenSample;
     static constexpr void fields(auto&& visit) {
         constexpr double kFar_mm = kMaxPenPosition_mm;
-        visit(Number<At<&Sample::time_s>>{"time_s", "time of the pen", "s", 0.0, kLongestSession_s,
-                                          Presence::Required});
-        visit(Number<At<&Sample::x_mm>>{"x_mm", "x of the pen", "mm", -kFar_mm, kFar_mm,
-                                        Presence::Required});
-        visit(Number<At<&Sample::y_mm>>{"y_mm", "y of the pen", "mm", -kFar_mm, kFar_mm,
-                                        Presence::Required});
-        visit(Number<At<&Sample::pressure>>{"pressure", "pressure of the pen", "", 0.0, 1.0,
-                                            Presence::Required});
-        visit(Number<At<&Sample::tilt_x_deg>>{"tilt_x_deg", "x tilt of the pen", "degrees", -90.0, 90.0,
+        visit(Number<At<&Sample::time_s>>{"time_s", core::Pattern<0>("time of the pen"), "s", 0.0,
+                                          kLongestSession_s, Presence::Required});
+        visit(Number<At<&Sample::x_mm>>{"x_mm", core::Pattern<0>("x of the pen"), "mm", -kFar_mm,
+                                        kFar_mm, Presence::Required});
+        visit(Number<At<&Sample::y_mm>>{"y_mm", core::Pattern<0>("y of the pen"), "mm", -kFar_mm,
+                                        kFar_mm, Presence::Required});
+        visit(Number<At<&Sample::pressure>>{"pressure", core::Pattern<0>("pressure of the pen"), "", 0.0,
+                                            1.0, Presence::Required});
+        visit(Number<At<&Sample::tilt_x_deg>>{"tilt_x_deg", core::Pattern<0>("x tilt of the pen"),
+                                              core::Pattern<0>("degrees"), -90.0, 90.0,
                                               Presence::Optional});
-        visit(Number<At<&Sample::tilt_y_deg>>{"tilt_y_deg", "y tilt of the pen", "degrees", -90.0, 90.0,
+        visit(Number<At<&Sample::tilt_y_deg>>{"tilt_y_deg", core::Pattern<0>("y tilt of the pen"),
+                                              core::Pattern<0>("degrees"), -90.0, 90.0,
                                               Presence::Optional});
-        visit(Number<At<&Sample::rotation_deg>>{"rotation_deg", "rotation of the pen", "degrees",
-                                                -3600.0, 3600.0, Presence::Optional});
+        visit(Number<At<&Sample::rotation_deg>>{"rotation_deg", core::Pattern<0>("rotation of the pen"),
+                                                core::Pattern<0>("degrees"), -3600.0, 3600.0,
+                                                Presence::Optional});
     }
 };
 
@@ -128,8 +131,9 @@ struct Table<TurnStroke> {
         .stroke = StrokeRole::GoesOn,
         .in_set_up = false};
     static constexpr void fields(auto&& visit) {
-        visit(Number<At<&TurnStroke::rotation_deg>>{"rotation_deg", "rotation of the pen", "degrees",
-                                                    -3600.0, 3600.0, Presence::Required});
+        visit(Number<At<&TurnStroke::rotation_deg>>{
+            "rotation_deg", core::Pattern<0>("rotation of the pen"), core::Pattern<0>("degrees"),
+            -3600.0, 3600.0, Presence::Required});
     }
 };
 

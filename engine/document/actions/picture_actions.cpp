@@ -12,9 +12,11 @@ namespace {
 void check_picture(const SharedPicture& picture) {
     PASTOSO_CHECK(picture != nullptr);
     const int width = picture->width, height = picture->height;
-    check_between("width of the picture", "pixels", width, 1, pigment::kMostPictureSide_px);
-    check_between("height of the picture", "pixels", height, 1, pigment::kMostPictureSide_px);
-    check_between("number of the picture's pixels", "", 1.0 * width * height, 1,
+    constexpr core::Pattern<0> kUnit = core::Pattern<0>("pixels");
+    check_between(core::message("width of the picture"), kUnit, width, 1, pigment::kMostPictureSide_px);
+    check_between(core::message("height of the picture"), kUnit, height, 1,
+                  pigment::kMostPictureSide_px);
+    check_between(core::message("number of the picture's pixels"), "", 1.0 * width * height, 1,
                   pigment::kMostPicturePixels);
     PASTOSO_CHECK_OP(picture->rgba.size(), ==, std::size_t{4} * width * height);
 }

@@ -69,13 +69,14 @@ struct Table<layers::PicturePlace> {
         using Place = layers::PicturePlace;
         using enum Presence;
         constexpr double kFar_mm = kMaxPenPosition_mm;
-        visit(Number<At<&Place::x_mm>>{"x_mm", "x of the picture", "mm", -kFar_mm, kFar_mm, Required,
-                                       "of its upper left corner"});
-        visit(Number<At<&Place::y_mm>>{"y_mm", "y of the picture", "mm", -kFar_mm, kFar_mm, Required});
-        visit(Number<At<&Place::width_mm>>{"width_mm", "width of the picture", "mm", kLeastPicture_mm,
-                                           kFar_mm, Required});
-        visit(Number<At<&Place::height_mm>>{"height_mm", "height of the picture", "mm", kLeastPicture_mm,
-                                            kFar_mm, Required});
+        visit(Number<At<&Place::x_mm>>{"x_mm", core::Pattern<0>("x of the picture"), "mm", -kFar_mm,
+                                       kFar_mm, Required, "of its upper left corner"});
+        visit(Number<At<&Place::y_mm>>{"y_mm", core::Pattern<0>("y of the picture"), "mm", -kFar_mm,
+                                       kFar_mm, Required});
+        visit(Number<At<&Place::width_mm>>{"width_mm", core::Pattern<0>("width of the picture"), "mm",
+                                           kLeastPicture_mm, kFar_mm, Required});
+        visit(Number<At<&Place::height_mm>>{"height_mm", core::Pattern<0>("height of the picture"), "mm",
+                                            kLeastPicture_mm, kFar_mm, Required});
     }
 };
 
@@ -87,7 +88,7 @@ struct Table<PaintPicture> {
         "dry paint ([0031](decisions/0031-pictures.md))");
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&PaintPicture::place>>{});
-        visit(Text<At<&PaintPicture::name>>{"name", "name of a layer", kMostLayerName,
+        visit(Text<At<&PaintPicture::name>>{"name", core::Pattern<0>("name of a layer"), kMostLayerName,
                                             Presence::Required});
         visit(Value<At<&PaintPicture::picture>>{
             "png", "picture", Presence::Required,
@@ -123,8 +124,9 @@ struct Table<SetTracing> {
                         "where the picture that is traced lies from now on, and how strongly it shows");
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&SetTracing::place>>{});
-        visit(Number<At<&SetTracing::opacity>>{"opacity", "opacity of the tracing picture", "", 0.0, 1.0,
-                                               Presence::Required, "0.5 for the first"});
+        visit(Number<At<&SetTracing::opacity>>{"opacity",
+                                               core::Pattern<0>("opacity of the tracing picture"), "",
+                                               0.0, 1.0, Presence::Required, "0.5 for the first"});
     }
 };
 

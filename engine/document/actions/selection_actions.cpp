@@ -7,7 +7,7 @@ namespace pastoso::document {
 namespace {
 
 template <class Range>
-void check_order(const Range& select, const char* name) {
+void check_order(const Range& select, const core::Message& name) {
     check_between(name, "mm", select.most_mm, select.least_mm, kMostPaint_mm);
 }
 
@@ -18,22 +18,22 @@ void select(const grid::Mask& area, Combination how, LivingPainting& painting) {
 }  // namespace
 
 void check_whole(const SelectArea& select) {
-    check_between("number of the outline's points", "", static_cast<double>(select.outline.size()), 3.0,
-                  kMostOutlinePoints);
+    check_between(core::message("number of the outline's points"), "",
+                  static_cast<double>(select.outline.size()), 3.0, kMostOutlinePoints);
     for (const CanvasPoint& point : select.outline) {
-        check_between("x of the outline's point", "mm", point.x_mm, -kMaxPenPosition_mm,
+        check_between(core::message("x of the outline's point"), "mm", point.x_mm, -kMaxPenPosition_mm,
                       kMaxPenPosition_mm);
-        check_between("y of the outline's point", "mm", point.y_mm, -kMaxPenPosition_mm,
+        check_between(core::message("y of the outline's point"), "mm", point.y_mm, -kMaxPenPosition_mm,
                       kMaxPenPosition_mm);
     }
 }
 
 void check_whole(const SelectByHeight& select) {
-    check_order(select, "most height");
+    check_order(select, core::message("most height"));
 }
 
 void check_whole(const SelectByWetness& select) {
-    check_order(select, "most thickness of wet paint");
+    check_order(select, core::message("most thickness of wet paint"));
 }
 
 bool changes_anything(const InvertSelection&, const LivingPainting& painting) {

@@ -88,10 +88,10 @@ struct Table<SelectByHeight> {
                "where the paint of the active layer and of what is visible below it, wet and dry, is so "
                "high above the bare support");
     static constexpr void fields(auto&& visit) {
-        visit(Number<At<&SelectByHeight::least_mm>>{"least_mm", "least height", "mm", 0.0, kMostPaint_mm,
-                                                    Presence::Required});
-        visit(Number<At<&SelectByHeight::most_mm>>{"most_mm", "most height", "mm", 0.0, kMostPaint_mm,
-                                                   Presence::Required, "both included"});
+        visit(Number<At<&SelectByHeight::least_mm>>{"least_mm", core::Pattern<0>("least height"), "mm",
+                                                    0.0, kMostPaint_mm, Presence::Required});
+        visit(Number<At<&SelectByHeight::most_mm>>{"most_mm", core::Pattern<0>("most height"), "mm", 0.0,
+                                                   kMostPaint_mm, Presence::Required, "both included"});
         visit(kWayToSelect<&SelectByHeight::how>);
     }
 };
@@ -102,10 +102,12 @@ struct Table<SelectByWetness> {
         change("select_by_wetness", 6, step_name("Selection"),
                "where the wet paint of the active layer is so thick");
     static constexpr void fields(auto&& visit) {
-        visit(Number<At<&SelectByWetness::least_mm>>{"least_mm", "least thickness of wet paint", "mm",
-                                                     0.0, kMostPaint_mm, Presence::Required});
-        visit(Number<At<&SelectByWetness::most_mm>>{"most_mm", "most thickness of wet paint", "mm", 0.0,
-                                                    kMostPaint_mm, Presence::Required, "both included"});
+        visit(Number<At<&SelectByWetness::least_mm>>{"least_mm",
+                                                     core::Pattern<0>("least thickness of wet paint"),
+                                                     "mm", 0.0, kMostPaint_mm, Presence::Required});
+        visit(Number<At<&SelectByWetness::most_mm>>{
+            "most_mm", core::Pattern<0>("most thickness of wet paint"), "mm", 0.0, kMostPaint_mm,
+            Presence::Required, "both included"});
         visit(kWayToSelect<&SelectByWetness::how>);
     }
 };

@@ -3,6 +3,8 @@
 // nor does a table that leaves a trait out.
 #pragma once
 
+#include "core/message.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -113,7 +115,7 @@ template <class Place>
 struct Number {
     using At = Place;
     const char* key;
-    std::string_view name, unit;
+    core::Pattern<0> name, unit;
     double low, high;
     Presence presence;
     std::string_view note = "";
@@ -125,7 +127,7 @@ template <class Place>
 struct Whole {
     using At = Place;
     const char* key;
-    std::string_view name;
+    core::Pattern<0> name;
     std::int64_t low, high;
     Presence presence;
     std::string_view note = "";
@@ -138,7 +140,7 @@ struct Pair {
     using X = PlaceX;
     using Y = PlaceY;
     const char* key;
-    std::string_view name, unit;
+    core::Pattern<0> name, unit;
     double low, high;
     Presence presence;
     std::string_view note = "";
@@ -161,7 +163,7 @@ template <class Place>
 struct Text {
     using At = Place;
     const char* key;
-    std::string_view name;
+    core::Pattern<0> name;
     std::size_t most_bytes;
     Presence presence;
     std::string_view note = "";

@@ -43,12 +43,13 @@ struct Table<SqueezePaint> {
     static constexpr void fields(auto&& visit) {
         using enum Presence;
         visit(Value<At<&SqueezePaint::paint>>{"paint", "paint", Required});
-        visit(Number<At<&SqueezePaint::volume_mm3>>{"volume_mm3", "volume of the squeezed paint", "mm3",
-                                                    kLeastSqueeze_mm3, kMostSqueeze_mm3, Written});
-        visit(Number<At<&SqueezePaint::x_mm>>{"x_mm", "x of the squeezed paint", "mm", 0.0,
-                                              kWellWidth_mm, Required, "on the well"});
-        visit(Number<At<&SqueezePaint::y_mm>>{"y_mm", "y of the squeezed paint", "mm", 0.0,
-                                              kWellHeight_mm, Required, "on the well"});
+        visit(Number<At<&SqueezePaint::volume_mm3>>{
+            "volume_mm3", core::Pattern<0>("volume of the squeezed paint"), "mm3", kLeastSqueeze_mm3,
+            kMostSqueeze_mm3, Written});
+        visit(Number<At<&SqueezePaint::x_mm>>{"x_mm", core::Pattern<0>("x of the squeezed paint"), "mm",
+                                              0.0, kWellWidth_mm, Required, "on the well"});
+        visit(Number<At<&SqueezePaint::y_mm>>{"y_mm", core::Pattern<0>("y of the squeezed paint"), "mm",
+                                              0.0, kWellHeight_mm, Required, "on the well"});
     }
 };
 

@@ -1,13 +1,13 @@
 #include "film/laboratory/scene.hpp"
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/units.hpp"
 #include "film/laboratory/scene_forms.hpp"
 #include "film/support/support_sampling.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -18,9 +18,8 @@ void check_count(const CellValues& cells, const grid::Shape& shape) {
     const std::size_t count =
         static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height);
     if (cells.values.size() == count) return;
-    throw core::InputError("There are " + std::to_string(cells.values.size()) + " values for the " +
-                           std::to_string(shape.width) + " x " + std::to_string(shape.height) +
-                           " cells of the canvas.");
+    throw core::InputError("There are %1 values for the %2 x %3 cells of the canvas.",
+                           cells.values.size(), shape.width, shape.height);
 }
 
 /// The heights of one relief, made for a whole canvas.
@@ -82,13 +81,11 @@ struct ReliefMaker {
     }
 };
 
-[[noreturn]] void refuse_cell(const char* what, double value, int x, int y, double most) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "%s %.4g in cell (%d, %d), but must lie between 0 and %.4g (cells count from 0 at the "
-                  "upper left).",
-                  what, value, x, y, most);
-    throw core::InputError(text);
+[[noreturn]] void refuse_cell(const core::Message& what, double value, int x, int y, double most) {
+    throw core::InputError(
+        "%1 is %2 in cell (%3, %4), but must lie between 0 and %5 (cells count from 0 at the upper "
+        "left).",
+        what, core::number_text(value, 4), x, y, core::number_text(most, 4));
 }
 
 /// Adds thickness in mm and what the paint carries, before they are rounded to quanta.
@@ -126,7 +123,8 @@ MediaCell foreign_media(const Pile& pile, std::int32_t thickness) {
 
 void store(const Pile& pile, int x, int y, FilmState& film) {
     if (!(pile.thickness_mm >= 0.0 && pile.thickness_mm <= kMaxThickness_mm))
-        refuse_cell("The thickness of the film is", pile.thickness_mm, x, y, kMaxThickness_mm);
+        refuse_cell(core::message("The thickness of the film"), pile.thickness_mm, x, y,
+                    kMaxThickness_mm);
     const std::int32_t thickness = in_quanta(pile.thickness_mm, kThicknessQuantum_mm);
     if (thickness == 0) return;
     film.thickness.set(x, y, thickness);
@@ -147,8 +145,8 @@ std::vector<FilmNumbers> media_of(const Scene& scene) {
         if (std::find(media.begin(), media.end(), numbers) == media.end()) media.push_back(numbers);
     }
     if (media.size() > kMostMedia)
-        throw core::InputError("The film is of " + std::to_string(media.size()) +
-                               " media, but may be of " + std::to_string(kMostMedia) + " at most.");
+        throw core::InputError("The film is of %1 media, but may be of %2 at most.", media.size(),
+                               kMostMedia);
     return media;
 }
 
@@ -216,7 +214,7 @@ SupportHeights make_support(const Scene& scene) {
         for (int x = 0; x < scene.shape.width; ++x) {
             const double height_mm = sum.at(x, y);
             if (!(height_mm >= 0.0 && height_mm <= kMaxSupport_mm))
-                refuse_cell("The height of the support is", height_mm, x, y, kMaxSupport_mm);
+                refuse_cell(core::message("The height of the support"), height_mm, x, y, kMaxSupport_mm);
         }
     }
     return sum;

@@ -188,8 +188,8 @@ SupportHeights named_support(std::string_view name, grid::Shape shape, double ce
         if (relief_mm > 0.0) weave.relief_mm = relief_mm;
         return woven_support(shape, cell_mm, weave, pool, form, place);
     }
-    throw core::InputError("There is no support \"" + std::string(name) +
-                           "\"; the supports are: " + core::listed(support_names()) + ".");
+    throw core::InputError("There is no support \"%1\"; the supports are: %2.", name,
+                           core::listed(support_names()));
 }
 
 SupportForm form_of(const SupportHeights& named_mm) {

@@ -27,8 +27,7 @@ const Case& find_case(std::string_view name) {
         if (known.name == name) return known;
         names.push_back(known.name);
     }
-    throw core::InputError("There is no case \"" + std::string(name) + "\", only " +
-                           core::listed(names) + ".");
+    throw core::InputError("There is no case \"%1\", only %2.", name, core::listed(names));
 }
 
 std::vector<Run> runs_of(const Case& wanted, std::span<const Scheme> schemes) {

@@ -25,8 +25,8 @@ std::array<RowRanges, 4> whole_box(const grid::BoxShape& shape) {
 void check_rate(float diffusivity_m2_s, float dt_s) {
     if (!(diffusivity_m2_s >= 0.0F) || !std::isfinite(diffusivity_m2_s) || !(dt_s >= 0.0F) ||
         !std::isfinite(dt_s))
-        throw core::InputError("A diffusivity of " + std::to_string(diffusivity_m2_s) + " m2/s over " +
-                               std::to_string(dt_s) + " s; both must be 0 or more.");
+        throw core::InputError("A diffusivity of %1 m2/s over %2 s; both must be 0 or more.",
+                               std::to_string(diffusivity_m2_s), std::to_string(dt_s));
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ namespace {
 
 void check_rate(float diffusivity_m2_s, float dt_s) {
     if (!(diffusivity_m2_s >= 0.0F) || !std::isfinite(diffusivity_m2_s))
-        throw core::InputError("The diffusivity or viscosity is " + std::to_string(diffusivity_m2_s) +
-                               " m2/s; it must be 0 or more.");
+        throw core::InputError("The diffusivity or viscosity is %1 m2/s; it must be 0 or more.",
+                               std::to_string(diffusivity_m2_s));
     if (!(dt_s >= 0.0F) || !std::isfinite(dt_s))
-        throw core::InputError("The time step is " + std::to_string(dt_s) + " s; it must be 0 or more.");
+        throw core::InputError("The time step is %1 s; it must be 0 or more.", std::to_string(dt_s));
 }
 
 const grid::BoxField& known_samples(const Region& region, Location location) {
@@ -42,8 +42,8 @@ SolveResult Diffusion::diffuse(const Region& region, grid::BoxField& field, floa
     check_rate(diffusivity_m2_s, dt_s);
     const float cell = region.shape().cell_m, step = diffusivity_m2_s * dt_s / (cell * cell);
     if (!std::isfinite(step))
-        throw core::InputError("A diffusivity or viscosity of " + std::to_string(diffusivity_m2_s) +
-                               " m2/s is too large for a step of " + std::to_string(dt_s) + " s.");
+        throw core::InputError("A diffusivity or viscosity of %1 m2/s is too large for a step of %2 s.",
+                               std::to_string(diffusivity_m2_s), std::to_string(dt_s));
     if (step == 0.0F) return {};
     const float sub_steps = std::ceil(step / kLongestExplicitStep);
     if (sub_steps <= static_cast<float>(kMaxExplicitSteps)) {

@@ -19,18 +19,18 @@ std::array<RowRanges, 4> all_rows(const Walls& walls) {
 
 void check_step(float dt_s) {
     if (!(dt_s >= 0.0F) || !std::isfinite(dt_s))
-        throw core::InputError("The time step is " + std::to_string(dt_s) + " s; it must be 0 or more.");
+        throw core::InputError("The time step is %1 s; it must be 0 or more.", std::to_string(dt_s));
 }
 
 }  // namespace
 
 void check(const FlowParameters& parameters) {
     if (!(parameters.viscosity_m2_s >= 0.0F) || !std::isfinite(parameters.viscosity_m2_s))
-        throw core::InputError("The viscosity is " + std::to_string(parameters.viscosity_m2_s) +
-                               " m2/s; it must be 0 or more.");
+        throw core::InputError("The viscosity is %1 m2/s; it must be 0 or more.",
+                               std::to_string(parameters.viscosity_m2_s));
     if (!(parameters.confinement >= 0.0F && parameters.confinement <= kMostConfinement))
-        throw core::InputError("The vorticity confinement is " + std::to_string(parameters.confinement) +
-                               "; it may be 0 to 0.3.");
+        throw core::InputError("The vorticity confinement is %1; it may be 0 to 0.3.",
+                               std::to_string(parameters.confinement));
     check(parameters.pressure);
     check(parameters.diffusion);
 }

@@ -27,11 +27,11 @@ bool all_closed(const MultigridLevel& level) {
 
 void check(const SolveLimits& limits) {
     if (!(limits.tolerance >= 1e-7F && limits.tolerance <= 1.0F))
-        throw core::InputError("The pressure's tolerance is " + std::to_string(limits.tolerance) +
-                               "; it may be 1e-7 to 1.");
+        throw core::InputError("The pressure's tolerance is %1; it may be 1e-7 to 1.",
+                               std::to_string(limits.tolerance));
     if (limits.max_iterations < 1)
-        throw core::InputError("The pressure is allowed " + std::to_string(limits.max_iterations) +
-                               " iterations; it needs at least 1.");
+        throw core::InputError("The pressure is allowed %1 iterations; it needs at least 1.",
+                               limits.max_iterations);
 }
 
 ConjugateGradients::ConjugateGradients(const grid::BoxShape& shape, const Kernels& kernels)

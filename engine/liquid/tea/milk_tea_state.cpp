@@ -15,33 +15,33 @@ constexpr double kLongest_s = 1e9;
 
 /// Parcels are looked up in the cells around them, and balls by their number.
 void check_parcels(const TeaState& state, double box_m) {
-    core::check_range("The number of parcels", static_cast<double>(state.parcels.size()), 0,
-                      kMaxParcels);
+    core::check_range_of("The number of parcels", static_cast<double>(state.parcels.size()), 0,
+                         kMaxParcels);
     for (const Parcel& parcel : state.parcels) {
         for (const int axis : kAxes)
-            core::check_range("A parcel's place", static_cast<double>(parcel.position_m[axis]), 0.0,
-                              box_m);
-        core::check_range("A parcel's volume", static_cast<double>(parcel.volume_m3), 0.0, 1.0);
-        core::check_range("A parcel's coldness", static_cast<double>(parcel.coldness), 0.0, 1.0);
-        core::check_range("A parcel's ball", parcel.ball, -1, state.balls.count - 1);
+            core::check_range_of("A parcel's place", static_cast<double>(parcel.position_m[axis]), 0.0,
+                                 box_m);
+        core::check_range_of("A parcel's volume", static_cast<double>(parcel.volume_m3), 0.0, 1.0);
+        core::check_range_of("A parcel's coldness", static_cast<double>(parcel.coldness), 0.0, 1.0);
+        core::check_range_of("A parcel's ball", parcel.ball, -1, state.balls.count - 1);
         if (!is_shape(parcel.shape)) throw core::InputError("A parcel's shape is none.");
     }
 }
 
 void check_stream(const MilkJug::Stream& stream) {
-    core::check_range("The stream's time", stream.seconds, 0.0, kLongest_s);
-    core::check_range("The stream's end", stream.until_s, 0.0, kLongest_s);
-    core::check_range("The stream's parcels", stream.parcels, 0, kMostSteps);
+    core::check_range_of("The stream's time", stream.seconds, 0.0, kLongest_s);
+    core::check_range_of("The stream's end", stream.until_s, 0.0, kLongest_s);
+    core::check_range_of("The stream's parcels", stream.parcels, 0, kMostSteps);
     for (const int axis : {0, 1})
-        core::check_range("The stream's place", static_cast<double>(stream.at_m[axis]), -1e3, 1e3);
+        core::check_range_of("The stream's place", static_cast<double>(stream.at_m[axis]), -1e3, 1e3);
 }
 
 void check_numbers(const TeaState& state) {
-    core::check_range("The step", state.step, 0, kMostSteps);
+    core::check_range_of("The step", state.step, 0, kMostSteps);
     // A step makes one at most.
-    core::check_range("The number of balls", state.balls.count, 0, state.step);
-    core::check_range("The next ball's time", state.balls.next_s, 0.0, kLongest_s);
-    core::check_range("The milk that was poured", state.jug.poured_m3, 0.0, 1.0);
+    core::check_range_of("The number of balls", state.balls.count, 0, state.step);
+    core::check_range_of("The next ball's time", state.balls.next_s, 0.0, kLongest_s);
+    core::check_range_of("The milk that was poured", state.jug.poured_m3, 0.0, 1.0);
     check_stream(state.jug.recipe);
     check_stream(state.jug.hand);
 }

@@ -60,8 +60,8 @@ void check_cup(const Cup& cup, double box_m) {
         const auto middle = static_cast<double>(cup.axis_m[axis]);
         const double to_wall = std::min(middle, box - middle);
         check_range("cup.floor_radius_m", static_cast<double>(cup.floor_radius_m), 1e-4, to_wall);
-        check_range("The cup's radius at its level",
-                    static_cast<double>(cup.inner_radius_m(cup.level_m)), 1e-4, to_wall);
+        core::check_range_of("The cup's radius at its level",
+                             static_cast<double>(cup.inner_radius_m(cup.level_m)), 1e-4, to_wall);
     }
 }
 

@@ -66,8 +66,7 @@ void Painter::wait(double seconds) {
 
 void Painter::wait_until(double moment_s) {
     if (now_s_ > moment_s)
-        throw core::InputError("The strokes before the moment of " + std::to_string(moment_s) +
-                               " s last until " + std::to_string(now_s_) + " s.");
+        throw core::InputError("The strokes before the moment of %1 s last until %2 s.", moment_s, now_s_);
     now_s_ = moment_s;
 }
 
