@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include <QVariant>
 #include <QWidget>
 
 namespace pastoso::help {
@@ -48,6 +49,8 @@ constexpr Topic kTopics[] = {
     {"pastoso::glass::LiquidPictureDialog", "milk-tea-pictures"},
 };
 
+constexpr char kOwnTopic[] = "help_topic";
+
 /// Of its class, or of one that it is derived from.
 const char* page_of(const QWidget& widget) {
     for (const QMetaObject* type = widget.metaObject(); type != nullptr; type = type->superClass()) {
@@ -65,9 +68,15 @@ std::span<const Topic> topics() {
     return kTopics;
 }
 
+void set_topic(QWidget& widget, const char* page) {
+    widget.setProperty(kOwnTopic, QString::fromLatin1(page));
+}
+
 QString topic_of(const QWidget* widget) {
-    for (; widget != nullptr; widget = widget->parentWidget())
+    for (; widget != nullptr; widget = widget->parentWidget()) {
+        if (const QVariant own = widget->property(kOwnTopic); own.isValid()) return own.toString();
         if (const char* page = page_of(*widget)) return QString::fromLatin1(page);
+    }
     return {};
 }
 

@@ -17,6 +17,9 @@ struct Topic {
 /// Of all widgets that a page is about.
 std::span<const Topic> topics();
 
+/// Sets the page of a widget that is for something else than others of its class.
+void set_topic(QWidget& widget, const char* page);
+
 /// Of the innermost widget around this one that there is a topic of; empty: of none.
 QString topic_of(const QWidget* widget);
 

@@ -65,6 +65,10 @@ TEST_F(HelpWindowTest, OpensAtWhatThePointerIsOver) {
     EXPECT_EQ(heading(help->view()), "Tilt and drying");
     help_at(part("pastoso::panels::ThinningSlider"));
     EXPECT_EQ(heading(help->view()), "From paste to stain");
+    action(Command::MixingWell)->trigger();
+    wait_until_shown(studio().well());
+    help_at(studio().well());
+    EXPECT_EQ(heading(help->view()), "The mixing well");
     help_at(*window().menuWidget());
     EXPECT_FALSE(help->view().page_name().isEmpty());
 }

@@ -44,6 +44,7 @@ HelpCommands::HelpCommands(Studio& studio) : studio_(studio) {
     studio_.commands().on(Command::Manual, [this](bool) { open(); });
     studio_.commands().on(Command::WhatIsNew, [this](bool) { show_news(); });
     studio_.commands().on(Command::About, [this](bool) { show_about(); });
+    help::set_topic(studio_.well(), "paint#the-mixing-well");
     qApp->installEventFilter(this);
 }
 
