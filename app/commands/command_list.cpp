@@ -12,6 +12,7 @@ namespace {
 
 constexpr const char* kFile = QT_TR_NOOP("&File");
 constexpr const char* kEdit = QT_TR_NOOP("&Edit");
+constexpr const char* kImage = QT_TR_NOOP("&Image");
 constexpr const char* kBrush = QT_TR_NOOP("&Brush");
 constexpr const char* kPaint = QT_TR_NOOP("&Paint");
 constexpr const char* kLayer = QT_TR_NOOP("&Layer");
@@ -64,10 +65,21 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Put the last stroke back")},
     CommandText{Command::UndoMemory, kEdit, QT_TR_NOOP("&Memory for undo..."), "Ctrl+Alt+U",
                 QT_TR_NOOP("How much memory the steps may take that you can return to")},
-    CommandText{Command::CanvasSize, kEdit, QT_TR_NOOP("&Canvas size..."), "Ctrl+Alt+C",
-                QT_TR_NOOP("Make the canvas larger, or cut it, on any side"), false, true},
-    CommandText{Command::CropToSelection, kEdit, QT_TR_NOOP("Crop to the &selection"), "",
+    CommandText{Command::CanvasSize, kImage, QT_TR_NOOP("&Canvas size..."), "Ctrl+Alt+C",
+                QT_TR_NOOP("Make the canvas larger, or cut it, on any side")},
+    CommandText{Command::CropToSelection, kImage, QT_TR_NOOP("Crop to the &selection"), "",
                 QT_TR_NOOP("Cut the canvas to the smallest one that holds what is selected")},
+    CommandText{Command::MirrorImageHorizontally, kImage, QT_TR_NOOP("Mirror image &horizontally"), "",
+                QT_TR_NOOP("Left and right of the whole painting change places, canvas and all"), false,
+                true},
+    CommandText{Command::MirrorImageVertically, kImage, QT_TR_NOOP("Mirror image &vertically"), "",
+                QT_TR_NOOP("Top and bottom of the whole painting change places, canvas and all")},
+    CommandText{Command::RotateImageRight, kImage, QT_TR_NOOP("Rotate image 90° to the &right"), "",
+                QT_TR_NOOP("The whole painting stands on its right side"), false, true},
+    CommandText{Command::RotateImageLeft, kImage, QT_TR_NOOP("Rotate image 90° to the &left"), "",
+                QT_TR_NOOP("The whole painting stands on its left side")},
+    CommandText{Command::RotateImageAround, kImage, QT_TR_NOOP("Rotate image &180°"), "",
+                QT_TR_NOOP("The whole painting stands on its head")},
     CommandText{Command::SmallerBrush, kBrush, QT_TR_NOOP("&Narrower"), "[",
                 QT_TR_NOOP("A narrower brush")},
     CommandText{Command::LargerBrush, kBrush, QT_TR_NOOP("&Wider"), "]", QT_TR_NOOP("A wider brush")},

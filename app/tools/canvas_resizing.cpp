@@ -1,5 +1,6 @@
 #include "tools/canvas_resizing.hpp"
 
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -11,25 +12,42 @@ double share_before(int anchor) {
     return 0.5 * anchor;
 }
 
-brush::Ruler moved(brush::Ruler ruler, const glm::dvec2& shift_mm) {
-    ruler.x1_mm += shift_mm.x;
-    ruler.y1_mm += shift_mm.y;
-    ruler.x2_mm += shift_mm.x;
-    ruler.y2_mm += shift_mm.y;
+void move_point(const CanvasMove& move, double& x_mm, double& y_mm) {
+    const glm::dvec2 place_mm = move({x_mm, y_mm});
+    x_mm = place_mm.x;
+    y_mm = place_mm.y;
+}
+
+/// A direction, or that of an axis.
+double moved_deg(double angle_deg, const CanvasMove& move) {
+    if (move.turn == core::Orientation{}) return angle_deg;
+    constexpr double kQuarter_deg = 90.0, kWhole_deg = 360.0;
+    const double mirrored_deg = move.turn.mirrored ? -angle_deg : angle_deg;
+    return std::remainder(mirrored_deg + kQuarter_deg * move.turn.quarter_turns, kWhole_deg);
+}
+
+brush::Ruler moved(brush::Ruler ruler, const CanvasMove& move) {
+    move_point(move, ruler.x1_mm, ruler.y1_mm);
+    move_point(move, ruler.x2_mm, ruler.y2_mm);
     return ruler;
 }
 
-template <class Centred>
-Centred moved(Centred guide, const glm::dvec2& shift_mm) {
-    guide.centre_x_mm += shift_mm.x;
-    guide.centre_y_mm += shift_mm.y;
-    return guide;
+brush::EllipseCurve moved(brush::EllipseCurve ellipse, const CanvasMove& move) {
+    move_point(move, ellipse.centre_x_mm, ellipse.centre_y_mm);
+    ellipse.turn_deg = moved_deg(ellipse.turn_deg, move);
+    return ellipse;
 }
 
-brush::PenGuide moved(brush::PenGuide guide, const glm::dvec2& shift_mm) {
-    if (const auto* ruler = std::get_if<brush::Ruler>(&guide.form)) guide.form = moved(*ruler, shift_mm);
+brush::Symmetry moved(brush::Symmetry symmetry, const CanvasMove& move) {
+    move_point(move, symmetry.centre_x_mm, symmetry.centre_y_mm);
+    symmetry.axis_deg = moved_deg(symmetry.axis_deg, move);
+    return symmetry;
+}
+
+brush::PenGuide moved(brush::PenGuide guide, const CanvasMove& move) {
+    if (const auto* ruler = std::get_if<brush::Ruler>(&guide.form)) guide.form = moved(*ruler, move);
     if (const auto* ellipse = std::get_if<brush::EllipseCurve>(&guide.form))
-        guide.form = moved(*ellipse, shift_mm);
+        guide.form = moved(*ellipse, move);
     return guide;
 }
 
@@ -58,17 +76,30 @@ std::optional<document::ResizeCanvas> cropped_to(const document::Selection& sele
     return document::ResizeCanvas{mm(cells.x0), mm(cells.y0), mm(cells.width()), mm(cells.height())};
 }
 
-glm::dvec2 shift_mm(const document::CanvasSettings& before, const document::CanvasSettings& after) {
-    return {before.support_x_mm - after.support_x_mm, before.support_y_mm - after.support_y_mm};
+glm::dvec2 CanvasMove::operator()(const glm::dvec2& place_mm) const {
+    const auto turned = core::turned(core::PlanePoint{place_mm.x, place_mm.y}, turn);
+    return glm::dvec2(turned.x, turned.y) + shift_mm;
 }
 
-Hand moved_along(Hand hand, const glm::dvec2& shift_mm) {
-    hand.symmetry = moved(hand.symmetry, shift_mm);
-    if (hand.ruler) hand.ruler = moved(*hand.ruler, shift_mm);
-    if (hand.ellipse) hand.ellipse = moved(*hand.ellipse, shift_mm);
-    hand.guide = moved(hand.guide, shift_mm);
-    hand.air.fan_x_mm += shift_mm.x;
-    hand.air.fan_y_mm += shift_mm.y;
+/// Both canvases lie on the same cloth.
+CanvasMove move_between(const document::CanvasSettings& before, const document::CanvasSettings& after) {
+    CanvasMove move{core::followed_by(core::reversed(before.support_turn), after.support_turn)};
+    move.shift_mm = move({before.support_x_mm, before.support_y_mm}) -
+                    glm::dvec2(after.support_x_mm, after.support_y_mm);
+    return move;
+}
+
+glm::dvec2 shift_of_middle_mm(const document::CanvasSettings& before, const CanvasMove& move) {
+    const glm::dvec2 middle_mm = 0.5 * glm::dvec2(before.width_mm, before.height_mm);
+    return move(middle_mm) - middle_mm;
+}
+
+Hand moved_along(Hand hand, const CanvasMove& move) {
+    hand.symmetry = moved(hand.symmetry, move);
+    if (hand.ruler) hand.ruler = moved(*hand.ruler, move);
+    if (hand.ellipse) hand.ellipse = moved(*hand.ellipse, move);
+    hand.guide = moved(hand.guide, move);
+    move_point(move, hand.air.fan_x_mm, hand.air.fan_y_mm);
     return hand;
 }
 

@@ -1,6 +1,7 @@
-// What follows from a canvas that is cut or made larger, before it is done and after.
+// What follows from a canvas that is cut, made larger or turned, before it is done and after.
 #pragma once
 
+#include "core/orientation.hpp"
 #include "document/canvas.hpp"
 #include "document/selection.hpp"
 #include "tools/hand.hpp"
@@ -34,11 +35,23 @@ Margins margins_of(const document::ResizeCanvas& resize, const document::CanvasS
 std::optional<document::ResizeCanvas> cropped_to(const document::Selection& selection,
                                                  const document::CanvasSettings& canvas);
 
-/// How much further from the corner of the canvas lies what was on it before, when it was cut or made
-/// larger, or that was taken back.
-glm::dvec2 shift_mm(const document::CanvasSettings& before, const document::CanvasSettings& after);
+/// Where on the canvas lies what was on it before: turned about the corner, then so much further from
+/// it.
+struct CanvasMove {
+    core::Orientation turn{};
+    glm::dvec2 shift_mm{0.0, 0.0};
 
-/// Guides, symmetry and fan so much further from the corner.
-Hand moved_along(Hand hand, const glm::dvec2& shift_mm);
+    glm::dvec2 operator()(const glm::dvec2& place_mm) const;
+    friend bool operator==(const CanvasMove&, const CanvasMove&) = default;
+};
+
+/// That of a canvas that was cut, made larger or turned, or where that was taken back.
+CanvasMove move_between(const document::CanvasSettings& before, const document::CanvasSettings& after);
+
+/// How much further from the corner the middle of the canvas came to lie.
+glm::dvec2 shift_of_middle_mm(const document::CanvasSettings& before, const CanvasMove& move);
+
+/// Guides, symmetry and fan where they lay on what was painted.
+Hand moved_along(Hand hand, const CanvasMove& move);
 
 }  // namespace pastoso::tools

@@ -265,11 +265,12 @@ void Easel::select(const Action& selection) {
     post_(selection);
 }
 
-void Easel::move_along(const glm::dvec2& shift_mm) {
-    hand_ = moved_along(std::move(hand_), shift_mm);
-    for (Pointer* place : {&pressed_, &latest_}) {
-        place->x_mm += shift_mm.x;
-        place->y_mm += shift_mm.y;
+void Easel::move_along(const CanvasMove& move) {
+    hand_ = moved_along(std::move(hand_), move);
+    for (Pointer* pointer : {&pressed_, &latest_}) {
+        const glm::dvec2 place_mm = move({pointer->x_mm, pointer->y_mm});
+        pointer->x_mm = place_mm.x;
+        pointer->y_mm = place_mm.y;
     }
     if (hand_.symmetry.mirror || hand_.symmetry.count > 1) post_(SetSymmetry{hand_.symmetry});
     if (is_laid(hand_.guide)) post_(SetGuide{hand_.guide});
@@ -279,6 +280,11 @@ void Easel::move_along(const glm::dvec2& shift_mm) {
 void Easel::resize(const ResizeCanvas& resize) {
     end_stroke();
     post_(resize);
+}
+
+void Easel::turn_canvas(const TurnCanvas& turn) {
+    end_stroke();
+    post_(turn);
 }
 
 void Easel::transform(const TransformLayer& transform) {

@@ -14,6 +14,8 @@
 
 namespace pastoso::tools {
 
+struct CanvasMove;
+
 /// Where a pen or the mouse is, as the window tells it.
 struct Pointer {
     double x_mm = 0.0;
@@ -102,11 +104,11 @@ class Easel {
     /// SelectArea, SelectByHeight, SelectByWetness, InvertSelection or SelectAll.
     void select(const document::Action& selection);
 
-    /// What lay on the canvas came to lie so much further from its corner: guides, symmetry and fan
-    /// follow.
-    void move_along(const glm::dvec2& shift_mm);
+    /// What lay on the canvas came to lie elsewhere on it: guides, symmetry and fan follow.
+    void move_along(const CanvasMove& move);
 
     void resize(const document::ResizeCanvas& resize);
+    void turn_canvas(const document::TurnCanvas& turn);
     void transform(const document::TransformLayer& transform);
     void undo();
     void redo();

@@ -15,6 +15,12 @@ constexpr int kCoolingTime_ms = 60;
 /// Of the well's view, unless somebody wants it larger.
 constexpr QSize kWellSize(360, 272);
 
+/// As a canvas has that was turned by a quarter.
+bool has_swapped_sides(const document::Snapshot& before, const document::Snapshot& after) {
+    const grid::Shape was = before.film.shape, is = after.film.shape;
+    return was.width != was.height && is == grid::Shape{was.height, was.width};
+}
+
 }  // namespace
 
 CanvasView::CanvasView(document::Surface surface, QWidget* parent)
@@ -103,10 +109,11 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
                                std::optional<glm::dvec2> shift_mm) {
     const bool other_canvas = wanted_ == nullptr || wanted_->film.shape != snapshot->film.shape ||
                               wanted_->film.cell_mm != snapshot->film.cell_mm;
+    const bool stands_otherwise = wanted_ != nullptr && has_swapped_sides(*wanted_, *snapshot);
     if (wanted_ != nullptr && wanted_->tracing != snapshot->tracing) tracing_preview_.reset();
     wanted_ = std::move(snapshot);
     if (other_canvas || shift_mm) begin_other_canvas();
-    if (shift_mm) {
+    if (shift_mm && !(fitted_ && stands_otherwise)) {
         fitted_ = false;
         const glm::dvec2 drag_px = -view_.zoom / wanted_->film.cell_mm * (view_.axes() * *shift_mm);
         set_view(panned(view_, drag_px, canvas_cells(), window_px()));

@@ -4,6 +4,7 @@
 #include "core/memory.hpp"
 #include "film/state.hpp"
 #include "layers/extent.hpp"
+#include "layers/turning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,14 @@ int cells_along(double side_mm, double px_per_mm) {
 
 int cells_from_origin(double place_mm, double px_per_mm) {
     return static_cast<int>(std::lround(place_mm * px_per_mm));
+}
+
+/// The cells of the turned cloth that a canvas is of.
+grid::Rect cells_of_cloth(const CanvasSettings& settings) {
+    const grid::Shape shape = canvas_shape(settings);
+    const int x0 = cells_from_origin(settings.support_x_mm, settings.px_per_mm);
+    const int y0 = cells_from_origin(settings.support_y_mm, settings.px_per_mm);
+    return {x0, y0, x0 + shape.width, y0 + shape.height};
 }
 
 core::Message size_of(const CanvasSettings& settings) {
@@ -88,10 +97,12 @@ grid::Shape canvas_shape(const CanvasSettings& settings) {
 
 film::SupportHeights named_support(const CanvasSettings& settings, core::ThreadPool& pool,
                                    film::SupportForm form) {
-    const film::ClothPlace place{cells_from_origin(settings.support_x_mm, settings.px_per_mm),
-                                 cells_from_origin(settings.support_y_mm, settings.px_per_mm)};
-    return film::named_support(settings.support, canvas_shape(settings), 1.0 / settings.px_per_mm,
-                               settings.support_relief_mm, pool, form, place);
+    const core::Orientation& turn = settings.support_turn;
+    const grid::Rect cells = core::turned_rectangle(cells_of_cloth(settings), core::reversed(turn));
+    film::SupportHeights woven =
+        film::named_support(settings.support, {cells.width(), cells.height()}, 1.0 / settings.px_per_mm,
+                            settings.support_relief_mm, pool, form, {cells.x0, cells.y0});
+    return turn == core::Orientation{} ? woven : layers::turned(woven, turn, pool);
 }
 
 grid::Extent extent_of(const ResizeCanvas& resize, const CanvasSettings& settings) {
@@ -118,6 +129,20 @@ ResizedCanvas resized_canvas(const ResizeCanvas& resize, std::shared_ptr<const B
     after.support_mm =
         resized_support(*before, after.settings, extent_of(resize, before->settings), pool);
     return {resize, std::move(before), std::make_shared<const BareCanvas>(std::move(after))};
+}
+
+CanvasSettings turned(const core::Orientation& turn, CanvasSettings settings) {
+    const grid::Rect cells = core::turned_rectangle(cells_of_cloth(settings), turn);
+    settings.support_x_mm = cells.x0 / settings.px_per_mm;
+    settings.support_y_mm = cells.y0 / settings.px_per_mm;
+    settings.support_turn = core::followed_by(settings.support_turn, turn);
+    if (turn.swaps_sides()) std::swap(settings.width_mm, settings.height_mm);
+    check_canvas(settings);
+    return settings;
+}
+
+BareCanvas turned(const core::Orientation& turn, const BareCanvas& bare, core::ThreadPool& pool) {
+    return {turned(turn, bare.settings), layers::turned(bare.support_mm, turn, pool)};
 }
 
 std::size_t estimated_bytes(const grid::Shape& shape) {

@@ -1,6 +1,7 @@
 // The size of a canvas: in cells, in bytes, and whether this machine can hold it.
 #pragma once
 
+#include "core/orientation.hpp"
 #include "document/actions/canvas_actions.hpp"
 #include "document/canvas_settings.hpp"
 #include "film/support/support.hpp"
@@ -50,6 +51,13 @@ struct ResizedCanvas {
 /// canvas or it would not fit into memory.
 ResizedCanvas resized_canvas(const ResizeCanvas& resize, std::shared_ptr<const BareCanvas> before,
                              core::ThreadPool& pool);
+
+/// What becomes of the settings of a canvas that is turned with its cloth. Throws InputError as
+/// check_canvas() does.
+CanvasSettings turned(const core::Orientation& turn, CanvasSettings settings);
+
+/// The canvas that has been turned: the heights as they were, each in its new place. Throws the same.
+BareCanvas turned(const core::Orientation& turn, const BareCanvas& bare, core::ThreadPool& pool);
 
 /// About what a painting of this many cells needs when all of it is wet and being rendered.
 std::size_t estimated_bytes(const grid::Shape& shape);

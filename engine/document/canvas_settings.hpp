@@ -1,6 +1,8 @@
 // What a canvas is made of.
 #pragma once
 
+#include "core/orientation.hpp"
+
 #include <string>
 
 namespace pastoso::document {
@@ -14,7 +16,10 @@ struct CanvasSettings {
     std::string support_image{};    ///< path of a height image of the user's own
     double support_relief_mm =
         0.0;  ///< height of its white above its black; 0: the support's own relief
-    /// Where on its cloth the canvas begins, in whole cells; of an image, from where it was stretched.
+    /// How its cloth has been turned, about a point of its own; an image, as it was stretched.
+    core::Orientation support_turn{};
+    /// Where on the turned cloth the canvas begins, in whole cells; of an image, from where it was
+    /// stretched.
     double support_x_mm = 0.0, support_y_mm = 0.0;
     friend bool operator==(const CanvasSettings&, const CanvasSettings&) = default;
 };

@@ -3,10 +3,12 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "grid/turning.hpp"
 #include "layers/cutting.hpp"
 #include "layers/extent.hpp"
 #include "layers/flat_paint.hpp"
 #include "layers/merging.hpp"
+#include "layers/turning.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -208,10 +210,25 @@ void LayeredCanvas::expect_medium() {
 
 LayerChange LayeredCanvas::resize(const grid::Extent& extent, std::shared_ptr<const BareCanvas> bare) {
     PASTOSO_CHECK(bare->support_mm.shape() == extent.shape);
-    LayerStack stack = all_inactive();
     LayerChange change{.before = paint(), .after = {}};
+    lay_out_on(std::move(bare),
+               [&](const film::FilmState& layer) { return layers::on_extent(layer, extent); });
+    change.after = paint();
+    return change;
+}
+
+void LayeredCanvas::turn(const core::Orientation& turn, std::shared_ptr<const BareCanvas> bare) {
+    const std::vector<bool> awake = grid::turned_tiles(solver.awake_tiles(), painting_.film.shape, turn);
+    lay_out_on(std::move(bare),
+               [&](const film::FilmState& layer) { return layers::turned(layer, turn, pool_); });
+    solver.restart(awake);
+}
+
+void LayeredCanvas::lay_out_on(std::shared_ptr<const BareCanvas> bare,
+                               const std::function<film::FilmState(const film::FilmState&)>& changed) {
+    LayerStack stack = all_inactive();
     for (Layer& layer : stack.layers)
-        layer.inactive = inactive_film(layers::on_extent(*layer.inactive, extent));
+        layer.inactive = inactive_film(changed(*layer.inactive));
     base_mm_ = base_below_active(stack, bare->support_mm);
     painting_.bare = std::move(bare);
     painting_.film = layers::laid_on(*stack.layers[stack.active].inactive, base_mm_);
@@ -219,8 +236,6 @@ LayerChange LayeredCanvas::resize(const grid::Extent& extent, std::shared_ptr<co
     stack.layers[stack.active].inactive.reset();
     painting_.layers = std::move(stack);
     solver.reshape();
-    change.after = paint();
-    return change;
 }
 
 void LayeredCanvas::restore(const PaintingValue& then) {

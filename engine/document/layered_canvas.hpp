@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brush/contents.hpp"
+#include "core/orientation.hpp"
 #include "core/thread_pool.hpp"
 #include "document/actions/group_actions.hpp"
 #include "document/actions/layer_actions.hpp"
@@ -68,6 +69,9 @@ class LayeredCanvas {
     /// Cuts the canvas or makes it larger; `bare` is the support of all of it. What is cut off is gone.
     LayerChange resize(const grid::Extent& extent, std::shared_ptr<const BareCanvas> bare);
 
+    /// Turns the canvas; `bare` is its support then. Paint that rests goes on resting.
+    void turn(const core::Orientation& turn, std::shared_ptr<const BareCanvas> bare);
+
     // Changes of the layers (actions). They throw InputError, and leave all
     // as it was, for layers and places that there are not, and for changes of what is locked.
 
@@ -97,6 +101,9 @@ class LayeredCanvas {
   private:
     /// Changes a stack in which every layer is inactive, and lays it out again.
     void rearrange(const std::function<void(LayerStack&)>& change);
+    /// Changes every layer as `changed` says, and lays them out on another canvas.
+    void lay_out_on(std::shared_ptr<const BareCanvas> bare,
+                    const std::function<film::FilmState(const film::FilmState&)>& changed);
     LayerStack all_inactive();
     void expect_medium();
     film::SupportHeights base_of(const LayerStack& stack) const;

@@ -1,5 +1,7 @@
 #include "document/selection.hpp"
 
+#include "grid/turning.hpp"
+
 #include <array>
 #include <utility>
 
@@ -62,6 +64,13 @@ Selection on_extent(const Selection& before, const grid::Extent& extent) {
     if (!before) return nullptr;
     grid::Mask mask(extent.shape);
     grid::put_on_extent(*before, extent, mask);
+    return selection_of(std::move(mask));
+}
+
+Selection turned(const Selection& before, const core::Orientation& turn, core::ThreadPool& pool) {
+    if (!before) return nullptr;
+    grid::Mask mask(grid::turned(before->shape(), turn));
+    grid::put_turned(*before, turn, mask, pool);
     return selection_of(std::move(mask));
 }
 

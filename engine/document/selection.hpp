@@ -1,6 +1,7 @@
 // The cells that tools may change.
 #pragma once
 
+#include "core/orientation.hpp"
 #include "document/actions/selection_actions.hpp"
 #include "film/state.hpp"
 #include "grid/extent.hpp"
@@ -22,6 +23,7 @@ Selection combined(const Selection& before, const grid::Mask& region, Combinatio
 Selection inverted(const Selection& before);
 /// Nothing that is added is selected.
 Selection on_extent(const Selection& before, const grid::Extent& extent);
+Selection turned(const Selection& before, const core::Orientation& turn, core::ThreadPool& pool);
 Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform);
 
 }  // namespace pastoso::document

@@ -1,5 +1,6 @@
 #include "layers/extent.hpp"
 
+#include "layers/cell_fields.hpp"
 #include "layers/cutting.hpp"
 
 #include <algorithm>
@@ -23,37 +24,23 @@ void put_media_on_extent(const film::FilmState& layer, const grid::Extent& exten
                          film::FilmState& result) {
     result.media.numbers = layer.media.numbers;
     if (!layer.media.are_several()) return;
-    grid::TiledField<film::MediaCell> told(layer.shape), put(extent.shape);
-    for (int tile = 0; tile < layer.shape.tile_count(); ++tile) {
-        if (layer.thickness.is_background(tile)) continue;
-        for (int cell = 0; cell < grid::kTileCells; ++cell)
-            told.write(tile)[cell] = film::media_in(layer, tile, cell);
-    }
-    grid::put_on_extent(told, extent, put);
-    for (int tile = 0; tile < extent.shape.tile_count(); ++tile)
-        if (!put.is_background(tile)) film::set_media(result, tile, put.block(tile));
+    MediaCells put(extent.shape);
+    grid::put_on_extent(told_media(layer), extent, put);
+    put_media(put, result);
 }
 
 }  // namespace
 
 film::FilmState on_extent(const film::FilmState& layer, const grid::Extent& extent) {
     film::FilmState result(extent.shape, layer.cell_mm);
-    const film::Strata& strata = layer.strata;
-    grid::put_on_extent(layer.thickness, extent, result.thickness);
-    grid::put_on_extent(layer.paint, extent, result.paint);
-    grid::put_on_extent(layer.lower.thickness, extent, result.lower.thickness);
-    grid::put_on_extent(layer.lower.paint, extent, result.lower.paint);
-    grid::put_on_extent(layer.worked.thickness, extent, result.worked.thickness);
-    grid::put_on_extent(layer.support_mm, extent, result.support_mm);
-    grid::put_on_extent(strata.soluble_thickness, extent, result.strata.soluble_thickness);
-    grid::put_on_extent(strata.soluble_pigment, extent, result.strata.soluble_pigment);
-    grid::put_on_extent(strata.optics, extent, result.strata.optics);
-    grid::put_on_extent(strata.uppermost, extent, result.strata.uppermost);
+    for_each_cell_field(
+        [&](const auto& field, auto& moved) { grid::put_on_extent(field, extent, moved); }, layer,
+        result);
     put_media_on_extent(layer, extent, result);
     result.consistencies = layer.consistencies;
-    result.strata.evaporated = strata.evaporated;
+    result.strata.evaporated = layer.strata.evaporated;
     result.strata.fixed =
-        share_fixed(strata.fixed, fixed_relief_quanta(result), fixed_relief_quanta(layer));
+        share_fixed(layer.strata.fixed, fixed_relief_quanta(result), fixed_relief_quanta(layer));
     return result;
 }
 

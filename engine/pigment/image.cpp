@@ -2,6 +2,10 @@
 
 #include "pigment/colour.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
 namespace pastoso::pigment {
 namespace {
 
@@ -52,6 +56,21 @@ Image encode(const LinearImage& image, const Table& table) {
 }
 
 }  // namespace
+
+Picture turned(const Picture& picture, const core::Orientation& turn) {
+    Picture result{picture.width, picture.height, {}};
+    if (turn.swaps_sides()) std::swap(result.width, result.height);
+    result.rgba.resize(picture.rgba.size());
+    const core::CellsBefore before(turn, picture.width, picture.height);
+    auto to = result.rgba.begin();
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            const auto [from_x, from_y] = before(x, y);
+            const std::size_t pixel = std::size_t{1} * from_y * picture.width + from_x;
+            to = std::copy_n(&picture.rgba[4 * pixel], 4, to);
+        }
+    return result;
+}
 
 Image8 encode_srgb8(const LinearImage& image) {
     static const LevelTable<std::uint8_t, 256, 4096> table;

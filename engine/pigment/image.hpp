@@ -1,6 +1,7 @@
 // Pictures as plain values, whatever they show and wherever they come from or go to.
 #pragma once
 
+#include "core/orientation.hpp"
 #include "pigment/working_space.hpp"
 
 #include <cstdint>
@@ -40,6 +41,9 @@ struct Picture {
     std::vector<std::uint8_t> rgba;
     friend bool operator==(const Picture&, const Picture&) = default;
 };
+
+/// The picture turned and mirrored.
+Picture turned(const Picture& picture, const core::Orientation& turn);
 
 /// Linear to 8 or 16 bits with the curve of sRGB, in the picture's own space; values outside its gamut
 /// are brought in half by clipping, half by desaturation.

@@ -5,6 +5,8 @@
 #include "document/canvas.hpp"
 #include "files/image.hpp"
 #include "film/support/support.hpp"
+#include "grid/turning.hpp"
+#include "layers/turning.hpp"
 
 namespace pastoso::recordings {
 namespace {
@@ -16,8 +18,11 @@ film::SupportHeights image_support(const document::CanvasSettings& settings, cor
     const files::GreyImage image = files::read_grey_image(settings.support_image);
     const double relief_mm =
         settings.support_relief_mm > 0.0 ? settings.support_relief_mm : kImageRelief_mm;
-    return film::image_support(document::canvas_shape(settings), image.values, image.width, image.height,
-                               relief_mm, pool);
+    const core::Orientation& turn = settings.support_turn;
+    const grid::Shape stretched = grid::turned(document::canvas_shape(settings), core::reversed(turn));
+    const film::SupportHeights heights_mm =
+        film::image_support(stretched, image.values, image.width, image.height, relief_mm, pool);
+    return layers::turned(heights_mm, turn, pool);
 }
 
 }  // namespace

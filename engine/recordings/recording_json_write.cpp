@@ -33,6 +33,9 @@ files::Json canvas_json(const document::CanvasSettings& canvas) {
                      {"support", canvas.support}};
     if (!canvas.support_image.empty()) json["support_image"] = canvas.support_image;
     if (canvas.support_relief_mm != 0.0) json["support_relief_mm"] = canvas.support_relief_mm;
+    if (canvas.support_turn.mirrored) json["support_mirrored"] = true;
+    if (canvas.support_turn.quarter_turns != 0)
+        json["support_quarter_turns"] = canvas.support_turn.quarter_turns;
     if (canvas.support_x_mm != 0.0) json["support_x_mm"] = canvas.support_x_mm;
     if (canvas.support_y_mm != 0.0) json["support_y_mm"] = canvas.support_y_mm;
     return json;
@@ -117,10 +120,16 @@ class EntryWriter {
 };
 
 /// The oldest version that can say it: not less than the first that still is written.
+int version_needed(const document::CanvasSettings& canvas) {
+    constexpr int kOldestWritten = 3, kCloth = 6, kTurned = 12;
+    if (canvas.support_turn != core::Orientation{}) return kTurned;
+    return canvas.support_x_mm != 0.0 || canvas.support_y_mm != 0.0 ? kCloth : kOldestWritten;
+}
+
 int version_needed(const document::Recording& recording) {
-    constexpr int kOldestWritten = 3, kCloth = 6, kWithArithmetic = 9;
-    const bool on_cloth = recording.canvas.support_x_mm != 0.0 || recording.canvas.support_y_mm != 0.0;
-    int version = recording.arithmetic > 1 ? kWithArithmetic : on_cloth ? kCloth : kOldestWritten;
+    constexpr int kFirst = 1, kWithArithmetic = 9;
+    int version =
+        std::max(version_needed(recording.canvas), recording.arithmetic > 1 ? kWithArithmetic : kFirst);
     for (const Event& event : recording.events)
         version = std::max(version, document::version_needed(event.action));
     return version;

@@ -43,12 +43,47 @@ TEST(CanvasResizing, TheSelectionIsCroppedToItsCells) {
 
 TEST(CanvasResizing, WhatLiesOnTheClothIsFurtherFromACornerThatMovedAway) {
     const document::CanvasSettings after = document::resized({-10.0, 5.0, 80.0, 30.0}, canvas());
-    EXPECT_EQ(shift_mm(canvas(), after), glm::dvec2(10.0, -5.0));
-    EXPECT_EQ(shift_mm(after, canvas()), glm::dvec2(-10.0, 5.0));
+    EXPECT_EQ(move_between(canvas(), after), (CanvasMove{{}, {10.0, -5.0}}));
+    EXPECT_EQ(move_between(after, canvas()), (CanvasMove{{}, {-10.0, 5.0}}));
+    EXPECT_EQ(shift_of_middle_mm(canvas(), move_between(canvas(), after)), glm::dvec2(10.0, -5.0));
     document::CanvasSettings image = canvas();
     image.support = "image";
-    EXPECT_EQ(shift_mm(image, document::resized({-10.0, 5.0, 80.0, 30.0}, image)),
-              glm::dvec2(10.0, -5.0));
+    EXPECT_EQ(move_between(image, document::resized({-10.0, 5.0, 80.0, 30.0}, image)),
+              (CanvasMove{{}, {10.0, -5.0}}));
+}
+
+TEST(CanvasResizing, WhatLiesOnATurnedCanvasTurnsWithIt) {
+    const core::Orientation right{false, 1}, mirror{true, 0};
+    const document::CanvasSettings cut = document::resized({10.0, 5.0, 40.0, 30.0}, canvas());
+    const document::CanvasSettings turned = document::turned(right, cut);
+    const CanvasMove move = move_between(cut, turned);
+    EXPECT_EQ(move(glm::dvec2(0.0, 0.0)), glm::dvec2(30.0, 0.0));
+    EXPECT_EQ(move(glm::dvec2(7.0, 2.0)), glm::dvec2(28.0, 7.0));
+    EXPECT_EQ(shift_of_middle_mm(cut, move), glm::dvec2(-5.0, 5.0));
+    EXPECT_EQ(move_between(turned, cut)(glm::dvec2(28.0, 7.0)), glm::dvec2(7.0, 2.0)) << "undone";
+    const CanvasMove both = move_between(canvas(), document::turned(mirror, turned));
+    EXPECT_EQ(both(glm::dvec2(17.0, 7.0)), glm::dvec2(2.0, 7.0)) << "cut, turned and mirrored";
+    const CanvasMove flip = move_between(canvas(), document::turned(mirror, canvas()));
+    EXPECT_EQ(flip(glm::dvec2(1.0, 2.0)), glm::dvec2(59.0, 2.0));
+    EXPECT_EQ(shift_of_middle_mm(canvas(), flip), glm::dvec2(0.0, 0.0));
+}
+
+TEST(CanvasResizing, GuidesTurn) {
+    Hand hand;
+    hand.symmetry = {.centre_x_mm = 30.0, .centre_y_mm = 20.0, .axis_deg = 30.0, .mirror = true};
+    hand.ruler = brush::Ruler{1.0, 2.0, 3.0, 4.0};
+    hand.ellipse = brush::EllipseCurve{5.0, 6.0, 7.0, 8.0, 9.0};
+    hand.air.fan_x_mm = 1.0;
+    const CanvasMove mirror{{true, 0}, {60.0, 0.0}}, right{{false, 1}, {40.0, 0.0}};
+    const Hand mirrored = moved_along(hand, mirror), turned = moved_along(hand, right);
+    EXPECT_EQ(mirrored.ruler, (brush::Ruler{59.0, 2.0, 57.0, 4.0}));
+    EXPECT_EQ(mirrored.ellipse, (brush::EllipseCurve{55.0, 6.0, 7.0, 8.0, -9.0}));
+    EXPECT_EQ(mirrored.symmetry.axis_deg, -30.0);
+    EXPECT_EQ(mirrored.air.fan_x_mm, 59.0);
+    EXPECT_EQ(turned.ruler, (brush::Ruler{38.0, 1.0, 36.0, 3.0}));
+    EXPECT_EQ(turned.ellipse, (brush::EllipseCurve{34.0, 5.0, 7.0, 8.0, 99.0}));
+    EXPECT_EQ(turned.symmetry.axis_deg, 120.0);
+    EXPECT_EQ(moved_along(mirrored, mirror).ellipse, hand.ellipse);
 }
 
 TEST(CanvasResizing, GuidesFollow) {
@@ -58,7 +93,7 @@ TEST(CanvasResizing, GuidesFollow) {
     hand.ellipse = brush::EllipseCurve{5.0, 6.0, 7.0, 8.0, 9.0};
     hand.guide.form = *hand.ruler;
     hand.air.fan_x_mm = 1.0;
-    const Hand moved = moved_along(hand, {10.0, -5.0});
+    const Hand moved = moved_along(hand, {{}, {10.0, -5.0}});
     EXPECT_EQ(
         moved.symmetry,
         (brush::Symmetry{.centre_x_mm = 40.0, .centre_y_mm = 15.0, .axis_deg = 45.0, .mirror = true}));
@@ -66,9 +101,9 @@ TEST(CanvasResizing, GuidesFollow) {
     EXPECT_EQ(moved.ellipse, (brush::EllipseCurve{15.0, 1.0, 7.0, 8.0, 9.0}));
     EXPECT_EQ(moved.guide.form, decltype(moved.guide.form)(brush::Ruler{11.0, -3.0, 13.0, -1.0}));
     EXPECT_EQ(moved.air.fan_x_mm, 11.0);
-    EXPECT_EQ(moved_along(moved, {-10.0, 5.0}).ruler, hand.ruler);
+    EXPECT_EQ(moved_along(moved, {{}, {-10.0, 5.0}}).ruler, hand.ruler);
     hand.guide.form = brush::StraightLine{};
-    EXPECT_EQ(moved_along(hand, {10.0, -5.0}).guide, hand.guide) << "a straight line lies nowhere";
+    EXPECT_EQ(moved_along(hand, {{}, {10.0, -5.0}}).guide, hand.guide) << "a straight line lies nowhere";
 }
 
 }  // namespace

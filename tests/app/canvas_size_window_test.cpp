@@ -1,4 +1,5 @@
-// Another size of the canvas in the real window: asked for, undone, with guides and view following.
+// Another size of the canvas in the real window, and other ways round: asked for, undone, with guides
+// and view following.
 #include "app/window_fixture.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
 #include "main/window_parts.hpp"
@@ -190,6 +191,49 @@ TEST_F(CanvasSize, CroppingKeepsWhatIsSelected) {
     give(Command::Undo);
     EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
     EXPECT_EQ(thickness_at({30.0, 20.0}), painted);
+}
+
+TEST_F(CanvasSize, MirroredItLiesWhereItLayWithItsGuides) {
+    mouse_stroke(line_mm({10.0, 10.0}, {20.0, 20.0}));
+    give(Command::Ruler);
+    studio().easel().move_ruler({10.0, 10.0, 20.0, 20.0});
+    settle();
+    const std::int32_t painted = thickness_at({15.0, 15.0});
+    ASSERT_GT(painted, 0);
+    canvas().zoom_about_centre(1.5);
+    const QPointF middle = canvas().widget_position({30.0, 20.0});
+    give(Command::MirrorImageHorizontally);
+    EXPECT_EQ(thickness_at({59.8 - 15.0, 15.0}), painted) << "the cell whose left edge was at 15 mm";
+    EXPECT_EQ(studio().easel().hand().ruler, (brush::Ruler{50.0, 10.0, 40.0, 20.0}));
+    EXPECT_LT((canvas().widget_position({30.0, 20.0}) - middle).manhattanLength(), 0.01);
+    give(Command::MirrorImageVertically);
+    EXPECT_EQ(thickness_at({59.8 - 15.0, 39.8 - 15.0}), painted);
+    give(Command::RotateImageAround);
+    EXPECT_EQ(thickness_at({15.0, 15.0}), painted);
+    for (int step = 0; step < 3; ++step)
+        give(Command::Undo);
+    EXPECT_EQ(thickness_at({15.0, 15.0}), painted);
+    EXPECT_EQ(studio().easel().hand().ruler, (brush::Ruler{10.0, 10.0, 20.0, 20.0}));
+}
+
+TEST_F(CanvasSize, TurnedItKeepsItsMiddleOrIsFittedAgain) {
+    mouse_stroke(line_mm({10.0, 10.0}, {20.0, 20.0}));
+    settle();
+    const std::int32_t painted = thickness_at({15.0, 15.0});
+    ASSERT_GT(painted, 0);
+    canvas().fit();
+    give(Command::RotateImageRight);
+    EXPECT_EQ(size_mm(), glm::dvec2(40.0, 60.0));
+    EXPECT_EQ(thickness_at({39.8 - 15.0, 15.0}), painted);
+    const screen::ViewTransform shown = canvas().view_transform();
+    canvas().fit();
+    EXPECT_EQ(canvas().view_transform(), shown);
+    canvas().zoom_about_centre(1.5);
+    const QPointF middle = canvas().widget_position({20.0, 30.0});
+    give(Command::RotateImageLeft);
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+    EXPECT_EQ(thickness_at({15.0, 15.0}), painted);
+    EXPECT_LT((canvas().widget_position({30.0, 20.0}) - middle).manhattanLength(), 0.01);
 }
 
 TEST_F(CanvasSize, AnotherPaintingIsNoCanvasThatWasCut) {

@@ -36,7 +36,7 @@ TEST(CommandSearch, BeginningsOfWordsAreEnough) {
     EXPECT_EQ(first_of("dr"), Command::DryNow);
     EXPECT_EQ(first_of("NEW LAY"), Command::AddLayer);
     EXPECT_EQ(first_of("lay new"), Command::AddLayer);
-    EXPECT_EQ(first_of("  mirror "), Command::MirrorSymmetry);
+    EXPECT_EQ(first_of("  mirror left "), Command::MirrorSymmetry);
     EXPECT_EQ(first_of("mixing w"), Command::MixingWell);
 }
 

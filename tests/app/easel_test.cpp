@@ -1,6 +1,7 @@
 #include "tools/easel.hpp"
 
 #include "core/units.hpp"
+#include "tools/canvas_resizing.hpp"
 
 #include <cmath>
 
@@ -15,10 +16,10 @@ using ::testing::ElementsAre;
 
 /// Names of the posted actions, in their order.
 std::vector<std::string> names(const std::vector<Action>& actions) {
-    static const char* const kNames[] = {"brush",  "load",  "clean",   "aside",     "swap", "medium",
-                                         "drying", "dry",   "tilt",    "size",      "down", "move",
-                                         "up",     "turn",  "squeeze", "wipe well", "undo", "redo",
-                                         "steady", "guide", "symmetry"};
+    static const char* const kNames[] = {"brush",  "load",   "clean", "aside",   "swap",        "medium",
+                                         "drying", "dry",    "tilt",  "size",    "turn canvas", "down",
+                                         "move",   "up",     "turn",  "squeeze", "wipe well",   "undo",
+                                         "redo",   "steady", "guide", "symmetry"};
     std::vector<std::string> list;
     for (const Action& action : actions)
         list.emplace_back(kNames[action.index()]);
@@ -477,14 +478,14 @@ TEST(BrushWidth, StepsClimbDownAgainWithinTheLimits) {
 }
 
 TEST_F(EaselTest, WhatLiesOnTheCanvasFollowsIt) {
-    easel_.move_along({10.0, -5.0});
+    easel_.move_along({{}, {10.0, -5.0}});
     EXPECT_THAT(posted(), ElementsAre()) << "nothing lies there";
     easel_.set_symmetry({.centre_x_mm = 30.0, .centre_y_mm = 20.0, .mirror = true});
     easel_.move_ruler({1.0, 2.0, 30.0, 2.0});
     easel_.press({});
     easel_.release();
     posted();
-    easel_.move_along({10.0, -5.0});
+    easel_.move_along({{}, {10.0, -5.0}});
     EXPECT_EQ(std::get<SetSymmetry>(actions_.front()).symmetry.centre_x_mm, 40.0);
     EXPECT_EQ(std::get<brush::Ruler>(std::get<SetGuide>(actions_.back()).guide.form),
               (brush::Ruler{11.0, -3.0, 40.0, -3.0}));

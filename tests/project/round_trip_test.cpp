@@ -245,6 +245,30 @@ TEST_F(ProjectRoundTrip, ACanvasThatWasCutComesBackAndReplays) {
     }
 }
 
+TEST_F(ProjectRoundTrip, ACanvasThatWasTurnedComesBackAndReplays) {
+    document::Recording recording = busy_session();
+    recording.events.push_back({recording.end_tick, document::ResizeCanvas{-7, 4, 50, 31}});
+    recording.events.push_back({recording.end_tick, document::TurnCanvas{{true, 1}}});
+    recording.end_tick += 20;
+    for (const char* support : {"medium linen", "gesso panel"}) {
+        recording.canvas.support = support;
+        const auto painting = played(recording, recording.end_tick, pool);
+        const Project project = project_of(*painting, recording);
+        const LoadedProject loaded = saved_and_loaded(project);
+        expect_equal(loaded.painting, project.painting);
+        EXPECT_THAT(loaded.notes, IsEmpty()) << "the cloth that is made anew is the same";
+        EXPECT_EQ(played(loaded.strokes, loaded.strokes.end_tick, pool)->state_hash(),
+                  painting->state_hash());
+        document::Painting again(loaded.painting, pool), kept(project.painting, pool);
+        for (document::Painting* one : {&again, &kept}) {
+            one->apply(document::TurnCanvas{{false, 3}});
+            one->apply(document::ResizeCanvas{-3, -3, 60, 60});
+            one->advance_tick();
+        }
+        EXPECT_EQ(again.state_hash(), kept.state_hash());
+    }
+}
+
 TEST_F(ProjectRoundTrip, TheStrokesReplayToThePainting) {
     const Project project = busy_project(pool);
     const LoadedProject loaded = saved_and_loaded(project);
@@ -312,7 +336,12 @@ TEST_F(ProjectRoundTrip, AHeightImageIsNotNeededAgain) {
     settings.support_image = (folder / "bumps.tif").string();
     const auto painting = recordings::make_painting(settings, pool);
     save_project(folder / "a.pastoso", {painting->state(), {settings, {}, 0}}, pool);
+    painting->apply(document::TurnCanvas{{false, 1}});
+    save_project(folder / "turned.pastoso", {painting->state(), {settings, {}, 0}}, pool);
     std::filesystem::remove(folder / "bumps.tif");
+    EXPECT_EQ(document::state_hash(load_project(folder / "turned.pastoso", pool).painting),
+              painting->state_hash());
+    painting->apply(document::Undo{});
     EXPECT_EQ(document::state_hash(load_project(folder / "a.pastoso", pool).painting),
               painting->state_hash());
 }

@@ -27,6 +27,21 @@ class CanvasSupportTest : public files::TemporaryFolder {
     }
 };
 
+TEST_F(CanvasSupportTest, AnImageIsTurnedAsItsSettingsSay) {
+    pigment::Image8 image{4, 2, {}};
+    for (int i = 0; i < 4 * 2; ++i)
+        image.rgb.insert(image.rgb.end(), 3, static_cast<std::uint8_t>(30 * i));
+    files::write_image(folder / "steps.png", image);
+    core::ThreadPool pool(1);
+    document::CanvasSettings canvas = canvas_with_image((folder / "steps.png").string());
+    const auto upright = make_support(canvas, pool);
+    canvas.support_turn = {false, 1};
+    std::swap(canvas.width_mm, canvas.height_mm);
+    const auto turned = make_support(canvas, pool);
+    ASSERT_EQ(turned.shape(), (grid::Shape{20, 40}));
+    EXPECT_EQ(turned.at(19 - 3, 7), upright.at(7, 3));
+}
+
 TEST_F(CanvasSupportTest, AnImageBecomesARelief) {
     pigment::Image8 image{64, 8, {}};
     for (int i = 0; i < 64 * 8; ++i)

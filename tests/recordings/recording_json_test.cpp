@@ -15,6 +15,7 @@ namespace {
 
 using namespace document;
 using testing::HasSubstr;
+using testing::Not;
 
 LoadPaint double_load() {
     LoadPaint load;
@@ -44,7 +45,7 @@ film::Medium stiffer_house_paint() {
 /// and ticks that do not.
 Recording everything() {
     Recording recording;
-    recording.canvas = {123.4, 56.7, 3.5, "panel", "", 0.1};
+    recording.canvas = {123.4, 56.7, 3.5, "panel", "", 0.1, {true, 3}};
     recording.events = {
         {0, UseMedium{"house paint"}},
         {0, UseMedium{"house paint", stiffer_house_paint()}},
@@ -106,6 +107,8 @@ Recording everything() {
         {44, SelectByHeight{0.25, 3, Combination::Intersect}},
         {44, SelectByWetness{0.5, 1000, Combination::Add}},
         {45, ResizeCanvas{-2.5, 3, 120, 90.5}},
+        {45, TurnCanvas{{true, 2}}},
+        {45, TurnCanvas{{false, 1}}},
         {45, InvertSelection{}},
         {45, TransformLayer{2, {10, 12.5, -3, 4, 30, 0.5, -2}}},
         {45, SelectAll{}},
@@ -211,8 +214,8 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":12,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 12; this program reads up to 11).");
+        error(R"({"format":"pastoso-strokes","version":13,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 13; this program reads up to 12).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
@@ -426,7 +429,22 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 10,")) << arithmetic;
         recording.events.push_back({0, LayBrushAside{}});
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 11,")) << arithmetic;
+        recording.events = {{0, TurnCanvas{{true, 0}}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 12,")) << arithmetic;
     }
+}
+
+TEST(RecordingJson, SaysThatItsClothWasTurned) {
+    Recording recording;
+    recording.canvas.support_turn = {false, 3};
+    const std::string text = recording_to_json(recording);
+    EXPECT_THAT(text, HasSubstr("\"version\": 12,"));
+    EXPECT_THAT(text, HasSubstr("\"support_quarter_turns\":3"));
+    EXPECT_THAT(text, Not(HasSubstr("support_mirrored")));
+    EXPECT_EQ(recording_from_json(text, "s.json"), recording);
+    EXPECT_EQ(error(R"({"format":"pastoso-strokes","version":12,"canvas":{"width_mm":9,"height_mm":9,)"
+                    R"("support_quarter_turns":4},"end_tick":0,"events":[]})"),
+              "s.json, canvas.support_quarter_turns: 4 is not between 0 and 3.");
 }
 
 TEST(RecordingJson, RefusesAbsurdCanvases) {

@@ -15,6 +15,16 @@ namespace {
 
 using commands::Command;
 
+struct CanvasTurn {
+    Command command;
+    core::Orientation to;
+};
+constexpr CanvasTurn kTurns[] = {{Command::MirrorImageHorizontally, {true, 0}},
+                                 {Command::MirrorImageVertically, {true, 2}},
+                                 {Command::RotateImageRight, {false, 1}},
+                                 {Command::RotateImageLeft, {false, 3}},
+                                 {Command::RotateImageAround, {false, 2}}};
+
 constexpr int kPicture_px = 220;
 constexpr QColor kBareCanvas(233, 230, 222);
 
@@ -36,6 +46,8 @@ CanvasSizing::CanvasSizing(Studio& studio, Loading& loading, panels::StatusReadi
     : studio_(studio), loading_(loading), readings_(readings) {
     studio_.commands().on(Command::CanvasSize, [this](bool) { ask(); });
     studio_.commands().on(Command::CropToSelection, [this](bool) { crop_to_selection(); });
+    for (const auto& [command, orientation] : kTurns)
+        studio_.commands().on(command, [this, to = orientation](bool) { turn(to); });
     connect(&studio_, &Studio::session_begun, this, [this] { shown_bare_.reset(); });
     connect(&studio_, &Studio::published, this, [this](const auto& painting) {
         studio_.canvas().show_snapshot(painting, follow(painting->bare));
@@ -70,6 +82,10 @@ void CanvasSizing::crop_to_selection() {
         studio_.report(tr("The selection reaches over the whole canvas: there is nothing to cut."));
 }
 
+void CanvasSizing::turn(const core::Orientation& turn) {
+    if (!is_lent()) studio_.easel().turn_canvas({turn});
+}
+
 void CanvasSizing::resize(const document::ResizeCanvas& resize) {
     loading_.begin(
         tr("Making the canvas"), [this, resize, bare = studio_.session().snapshot()->bare](const auto&) {
@@ -94,18 +110,19 @@ void CanvasSizing::put_up(const document::ResizedCanvas& canvas) {
                        .arg(shown.height_mm));
 }
 
-/// Where the same canvas was cut or made larger, guides follow what lies on it, and the shift is told.
+/// Where the same canvas was cut, made larger or turned, guides follow what lies on it, and how far its
+/// middle came to lie from where it was is told.
 /// What a recording does to them that is being played stands in the recording.
 std::optional<glm::dvec2> CanvasSizing::follow(std::shared_ptr<const document::BareCanvas> bare) {
     const auto before = std::exchange(shown_bare_, std::move(bare));
     if (before == nullptr || before->settings == shown_bare_->settings) return std::nullopt;
-    const glm::dvec2 shift_mm = tools::shift_mm(before->settings, shown_bare_->settings);
+    const tools::CanvasMove move = tools::move_between(before->settings, shown_bare_->settings);
     Q_EMIT resized();
-    if (shift_mm != glm::dvec2(0.0) && !studio_.easel().brush_is_lent()) {
-        studio_.easel().move_along(shift_mm);
+    if (move != tools::CanvasMove{} && !studio_.easel().brush_is_lent()) {
+        studio_.easel().move_along(move);
         studio_.show_hand();
     }
-    return shift_mm;
+    return tools::shift_of_middle_mm(before->settings, move);
 }
 
 }  // namespace pastoso::main

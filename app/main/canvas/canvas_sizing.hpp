@@ -1,4 +1,4 @@
-// The canvas on the easel: shown as it is, cut and made larger, and what follows it.
+// The canvas on the easel: shown as it is, cut, made larger and turned, and what follows it.
 #pragma once
 
 #include "main/files/loading.hpp"
@@ -31,6 +31,7 @@ class CanvasSizing : public QObject {
     void ask();
     bool is_lent();
     void crop_to_selection();
+    void turn(const core::Orientation& turn);
     void put_up(const document::ResizedCanvas& canvas);
     std::optional<glm::dvec2> follow(std::shared_ptr<const document::BareCanvas> bare);
 

@@ -1,6 +1,7 @@
 #include "document/actions/canvas_actions.hpp"
 
 #include "document/living_painting.hpp"
+#include "layers/turning.hpp"
 
 #include <memory>
 #include <utility>
@@ -40,6 +41,26 @@ void apply(const ResizeCanvas& resize, LivingPainting& painting) {
     value.selection = on_extent(value.selection, extent);
     const double cell_mm = value.film.cell_mm;
     if (value.tracing) value.tracing = moved(*value.tracing, -extent.x0 * cell_mm, -extent.y0 * cell_mm);
+}
+
+bool changes_anything(const TurnCanvas& turn, const LivingPainting&) {
+    return turn.turn != core::Orientation{};
+}
+
+UndoStep undo_step(const TurnCanvas& turn, const LivingPainting&) {
+    using Told = Table<TurnCanvas>;
+    return {.name = turn.turn.mirrored ? Told::kMirrored : Told::kTraits.step.value};
+}
+
+void apply(const TurnCanvas& turn, LivingPainting& painting) {
+    PaintingValue& value = painting.value;
+    auto bare = std::make_shared<const BareCanvas>(turned(turn.turn, *value.bare, painting.pool));
+    if (value.tracing)
+        value.tracing = std::make_shared<const layers::Tracing>(
+            layers::turned(*value.tracing, turn.turn, value.film.shape.width * value.film.cell_mm,
+                           value.film.shape.height * value.film.cell_mm));
+    value.selection = turned(value.selection, turn.turn, painting.pool);
+    painting.canvas.turn(turn.turn, std::move(bare));
 }
 
 }  // namespace pastoso::document

@@ -1,8 +1,10 @@
-// The canvas itself: how it leans, and its size.
+// The canvas itself: how it leans, its size, and which way round it is.
 #pragma once
 
+#include "core/orientation.hpp"
 #include "document/actions/pen_actions.hpp"
 #include "document/actions/table.hpp"
+#include "document/undo_step.hpp"
 
 #include <type_traits>
 
@@ -29,12 +31,22 @@ struct ResizeCanvas {
     friend bool operator==(const ResizeCanvas&, const ResizeCanvas&) = default;
 };
 
-using CanvasActions = ActionList<TiltCanvas, ResizeCanvas>;
+/// Mirrors or turns the canvas with all that lies on it, to the bit: cloth, layers, selection and
+/// tracing. Guides, symmetry, fan and tilt stay as they are in its new millimetres.
+struct TurnCanvas {
+    core::Orientation turn;
+    friend bool operator==(const TurnCanvas&, const TurnCanvas&) = default;
+};
+
+using CanvasActions = ActionList<TiltCanvas, ResizeCanvas, TurnCanvas>;
 
 void put_in_hand(const TiltCanvas& tilt, PaintingValue& painting);
 TiltCanvas in_hand(std::type_identity<TiltCanvas>, const PaintingValue& painting);
 void apply(const TiltCanvas& tilt, LivingPainting& painting);
 void apply(const ResizeCanvas& resize, LivingPainting& painting);
+bool changes_anything(const TurnCanvas& turn, const LivingPainting& painting);
+UndoStep undo_step(const TurnCanvas& turn, const LivingPainting& painting);
+void apply(const TurnCanvas& turn, LivingPainting& painting);
 
 template <>
 struct Table<TiltCanvas> {
@@ -69,6 +81,23 @@ struct Table<ResizeCanvas> {
         visit(Number<At<&ResizeCanvas::height_mm>>{"height_mm",
                                                    core::Pattern<0>("height of the new canvas"), "mm",
                                                    kMinCanvasSide_mm, kMaxCanvasSide_mm, Required});
+    }
+};
+
+template <>
+struct Table<TurnCanvas> {
+    static constexpr std::string_view kMirrored = step_name("Canvas mirrored");
+    static constexpr ActionTraits kTraits = possible_change(
+        "turn_canvas", 12, step_name("Canvas turned"),
+        "the canvas with all that lies on it is mirrored left for right, then turned clockwise; every "
+        "cell keeps all that it holds ([0082](decisions/0082-turned-canvases.md)). Millimetres count "
+        "from the new corner ever after");
+    static constexpr void fields(auto&& visit) {
+        using core::Orientation;
+        visit(Truth<At<&TurnCanvas::turn, &Orientation::mirrored>>{"mirrored", "mirrored",
+                                                                   Presence::Optional});
+        visit(Whole<At<&TurnCanvas::turn, &Orientation::quarter_turns>>{
+            "quarter_turns", "number of quarter turns", 0, 3, Presence::Optional});
     }
 };
 
