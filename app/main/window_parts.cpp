@@ -30,6 +30,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       navigation(studio, panels.navigator, panels.docks.at(commands::Command::NavigatorPanel)),
       light(studio, panels.stand, panels.lights),
       pictures(studio, loading),
+      clipboard(studio, pictures),
       dropped(studio, files, pictures, tracing),
       exporting(studio, files, light),
       recorder(studio, panels.recorder),

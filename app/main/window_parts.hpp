@@ -16,6 +16,7 @@
 #include "main/files/project_files.hpp"
 #include "main/files/recorder.hpp"
 #include "main/files/start_commands.hpp"
+#include "main/layers/clipboard.hpp"
 #include "main/layers/layer_commands.hpp"
 #include "main/layers/layer_pictures.hpp"
 #include "main/layers/layer_transform.hpp"
@@ -76,6 +77,7 @@ struct WindowParts {
     Navigation navigation;
     LightChoice light;
     PictureLayers pictures;
+    Clipboard clipboard;
     DroppedFiles dropped;
     Exporting exporting;
     Recorder recorder;

@@ -11,6 +11,7 @@
 #include "layers/turning.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pastoso::document {
@@ -367,6 +368,33 @@ LayerPaint LayeredCanvas::duplicate(const DuplicateLayer& duplicate) {
         copy.strata.evaporated = 0;
         taken = paint_on(copy);
         insert_above(stack, place, stack.layers[place].look, inactive_film(std::move(copy)));
+    });
+    return taken;
+}
+
+film::FilmState LayeredCanvas::copy(const CopyPaint& copy, const grid::Mask* selection) {
+    const LayerStack stack = all_inactive();
+    const std::vector<std::size_t> places =
+        copy.layer == 0 ? visible_places(stack) : std::vector{place_of(stack, copy.layer)};
+    if (places.empty()) throw core::InputError("there is no visible layer to copy.");
+    film::FilmState paint =
+        copy.layer == 0 ? flattened(stack, places, pool_) : *stack.layers[places[0]].inactive;
+    if (selection != nullptr) paint = layers::cut(paint, *selection).inside;
+    paint.strata.evaporated = 0;
+    return paint;
+}
+
+LayerPaint LayeredCanvas::paste(const PastePaint& paste, const film::FilmState& copied) {
+    const auto cells = [&](double way_mm) {
+        return static_cast<int>(std::lround(way_mm / painting_.film.cell_mm));
+    };
+    LayerPaint taken;
+    rearrange([&](LayerStack& stack) {
+        check_room(stack);
+        film::FilmState paint = layers::on_extent(
+            copied, {painting_.film.shape, -cells(paste.move_x_mm), -cells(paste.move_y_mm)});
+        taken = paint_on(paint);
+        insert_above(stack, stack.active, {.name = paste.name}, inactive_film(std::move(paint)));
     });
     return taken;
 }

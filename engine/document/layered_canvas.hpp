@@ -4,6 +4,7 @@
 #include "brush/contents.hpp"
 #include "core/orientation.hpp"
 #include "core/thread_pool.hpp"
+#include "document/actions/copy_actions.hpp"
 #include "document/actions/group_actions.hpp"
 #include "document/actions/layer_actions.hpp"
 #include "document/actions/picture_actions.hpp"
@@ -87,10 +88,15 @@ class LayeredCanvas {
     void flatten();
     LayerPaint paint_picture(const PaintPicture& paint);    ///< what came out of the tubes
     LayerPaint duplicate(const DuplicateLayer& duplicate);  ///< what came out of the tubes
-    LayerPaint remove(const RemoveLayer& remove);           ///< what was wiped off
+    LayerPaint paste(const PastePaint& paste, const film::FilmState& copied);  ///< the same
+    LayerPaint remove(const RemoveLayer& remove);                              ///< what was wiped off
     /// What was wiped off. Without a selection, null, that is everything.
     LayerPaint clear(const ClearLayer& clear, const grid::Mask* selection);
     LayerChange transform(const TransformLayer& transform, const grid::Mask* selection);
+
+    /// The paint of a layer, or all that is visible, apart from what it lies on. With a selection, what
+    /// is selected of it. Throws InputError where there is none such.
+    film::FilmState copy(const CopyPaint& copy, const grid::Mask* selection);
 
     /// Sums over all layers.
     LayerPaint paint() const;

@@ -87,6 +87,8 @@ struct FilmRemover {
     void operator()(std::optional<film::FilmState>& well) const {
         if (well) *well = {};
     }
+    /// Undo does not return to it.
+    void operator()(CopiedPaint& copied) const { copied.reset(); }
     void operator()(auto&) const {}
 };
 
@@ -116,6 +118,7 @@ struct FieldBytes {
         if (older && older != newer) sum += grid::bytes_in_part(*older);
     }
     void operator()(const film::FilmState&, const film::FilmState&) {}
+    void operator()(const CopiedPaint&, const CopiedPaint&) {}
     void operator()(const std::optional<film::FilmState>&, const std::optional<film::FilmState>&) {}
     template <class Plain>
     void operator()(const Plain&, const Plain&) {

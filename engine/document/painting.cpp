@@ -103,7 +103,8 @@ Snapshot Painting::snapshot() const {
             .active = single ? nullptr : std::make_shared<const film::FilmState>(value.film),
             .selection = value.selection,
             .bare = value.bare,
-            .tracing = value.tracing};
+            .tracing = value.tracing,
+            .copied = value.copied};
 }
 bool Painting::can_undo() const {
     return living_->history.can_undo();

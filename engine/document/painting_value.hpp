@@ -39,6 +39,9 @@ struct PaintFlows {
 /// One that was laid aside with what it holds, shared by all moments in which it lies there.
 using BrushAside = std::shared_ptr<const BrushInHand>;
 
+/// What was copied of a layer, apart from what it lay on, on a canvas that may have been another one.
+using CopiedPaint = std::shared_ptr<const film::FilmState>;
+
 using SharedTracing = std::shared_ptr<const layers::Tracing>;
 
 /// A painting between two strokes, but for what its solvers remember. Copies share tiles.
@@ -56,6 +59,7 @@ struct PaintingValue {
     brush::Symmetry symmetry{};
     Selection selection{};
     SharedTracing tracing{};  ///< null: none
+    CopiedPaint copied{};     ///< null: nothing; it is in no account
     PaintFlows flows{};
 };
 
@@ -65,9 +69,9 @@ struct PaintingValue {
 template <class Value>
 auto fields_of(Value& value) {
     auto& [bare, film, layers, well, brush, brush_aside, medium, tilt, air, aids, symmetry, selection,
-           tracing, flows] = value;
+           tracing, copied, flows] = value;
     return std::tie(bare, film, layers, well, brush, brush_aside, medium, tilt, air, aids, symmetry,
-                    selection, tracing, flows);
+                    selection, tracing, copied, flows);
 }
 
 /// Calls visit(field of the first value, field of the second, ...) for every field.

@@ -93,6 +93,25 @@ bool holds_paint(const FilmState& layer, int tile) {
            !layer.strata.soluble_pigment.is_background(tile);
 }
 
+bool holds_paint(const FilmState& layer, int x, int y) {
+    return layer.thickness.at(x, y) > 0 || layer.support_mm.at(x, y) != 0.0F ||
+           layer.strata.optics.at(x, y) != film::kClearStrata ||
+           !film::is_empty(layer.strata.soluble_pigment.at(x, y),
+                           layer.strata.soluble_thickness.at(x, y));
+}
+
+grid::Rect painted_area(const FilmState& layer) {
+    grid::Rect area;
+    for (int tile = 0; tile < layer.shape.tile_count(); ++tile) {
+        if (!holds_paint(layer, tile)) continue;
+        const grid::Rect cells = layer.shape.tile_cells(tile);
+        for (int y = cells.y0; y < cells.y1; ++y)
+            for (int x = cells.x0; x < cells.x1; ++x)
+                if (holds_paint(layer, x, y)) area = grid::bounding_box(area, {x, y, x + 1, y + 1});
+    }
+    return area;
+}
+
 void take_tile(const FilmState& from, int tile, FilmState& to) {
     share_tile(from.thickness, tile, to.thickness);
     share_tile(from.paint, tile, to.paint);

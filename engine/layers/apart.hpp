@@ -35,6 +35,12 @@ float wet_height_mm(std::int32_t thickness_quanta);
 /// Whether the layer holds anything in the tile, wet or dry.
 bool holds_paint(const film::FilmState& layer, int tile);
 
+/// The same of a cell.
+bool holds_paint(const film::FilmState& layer, int x, int y);
+
+/// The smallest rectangle around the cells that do.
+grid::Rect painted_area(const film::FilmState& layer);
+
 /// Makes a tile of one field that of another, of the same shape.
 template <class Field>
 void share_tile(const Field& from, int tile, Field& to) {

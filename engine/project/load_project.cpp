@@ -149,11 +149,11 @@ void read_active(const ZipReader& archive, const ProjectIndex& index,
     painting.solver = std::move(surface.solver);
 }
 
-std::shared_ptr<const film::FilmState> read_inactive(const ZipReader& archive, const LayerIndex& layer,
-                                                     const film::Medium& in_hand,
-                                                     core::ThreadPool& pool) {
-    document::SurfaceState surface = empty_surface(layer.surface);
-    fill(archive, layer.surface, in_hand, surface, pool);
+/// Paint apart from what it lies on.
+std::shared_ptr<const film::FilmState> read_apart(const ZipReader& archive, const SurfaceIndex& index,
+                                                  const film::Medium& in_hand, core::ThreadPool& pool) {
+    document::SurfaceState surface = empty_surface(index);
+    fill(archive, index, in_hand, surface, pool);
     return std::make_shared<const film::FilmState>(std::move(surface.film));
 }
 
@@ -168,7 +168,8 @@ void read_layers(const ZipReader& archive, const ProjectIndex& index,
     document::LayerStack& stack = project.painting.value.layers = stack_of(index);
     for (std::size_t place = 0; place < stack.layers.size(); ++place)
         if (place != stack.active)
-            stack.layers[place].inactive = read_inactive(archive, index.layers[place], in_hand, pool);
+            stack.layers[place].inactive =
+                read_apart(archive, index.layers[place].surface, in_hand, pool);
 }
 
 void read_well(const ZipReader& archive, const SurfaceIndex& index, PaintingState& painting,
@@ -279,6 +280,10 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
         value.brush_aside ? std::make_shared<document::BrushInHand>(*value.brush_aside) : nullptr;
     read_brush(archive, index.brush_aside, core::message("aside"), medium, aside.get());
     value.brush_aside = aside;
+    if (index.copied) {
+        check_surface(archive, core::message("copied paint"), *index.copied, index.copied->shape, value.film.cell_mm);
+        value.copied = read_apart(archive, *index.copied, medium, pool);
+    }
     if (index.selection) read_selection(archive, *index.selection, value);
     if (index.tracing) read_tracing(archive, *index.tracing, value);
     read_strokes(archive, index.strokes, setup.canvas, painting.tick, project);
@@ -329,6 +334,7 @@ ProjectSummary project_summary(const std::filesystem::path& path) {
     for (const LayerIndex& layer : index.layers)
         add_sizes(layer.surface, sizes);
     if (index.well) add_sizes(*index.well, sizes);
+    if (index.copied) add_sizes(*index.copied, sizes);
     sizes["strokes"] = {"strokes", index.strokes.packed_size, index.strokes.size};
     ProjectSummary summary{.canvas = setup.canvas,
                            .program = index.program,

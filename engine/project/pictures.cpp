@@ -3,6 +3,7 @@
 #include "document/layered_canvas.hpp"
 #include "document/painting.hpp"
 #include "files/image.hpp"
+#include "layers/apart.hpp"
 #include "pigment/colour.hpp"
 #include "project/coarse_film.hpp"
 #include "project/open_raster.hpp"
@@ -49,11 +50,7 @@ std::vector<std::uint8_t> cover_of(const film::FilmState& layer, int factor, cor
     covered.reserve(static_cast<std::size_t>(small.shape.width) * small.shape.height);
     for (int y = 0; y < small.shape.height; ++y) {
         for (int x = 0; x < small.shape.width; ++x) {
-            const bool holds = small.thickness.at(x, y) > 0 || small.support_mm.at(x, y) != 0.0F ||
-                               small.strata.optics.at(x, y) != film::kClearStrata ||
-                               !film::is_empty(small.strata.soluble_pigment.at(x, y),
-                                               small.strata.soluble_thickness.at(x, y));
-            covered.push_back(holds ? 255 : 0);
+            covered.push_back(layers::holds_paint(small, x, y) ? 255 : 0);
         }
     }
     return covered;

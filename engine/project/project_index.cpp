@@ -361,6 +361,7 @@ double largest_count(const SurfaceIndex& surface) {
 /// Each count fits; their sum over all layers must, too.
 void check_sums(const JsonPlace& root, const ProjectIndex& index) {
     double sum = index.well ? largest_count(*index.well) : 0.0;
+    if (index.copied) sum += largest_count(*index.copied);
     for (const LayerIndex& layer : index.layers)
         sum += largest_count(layer.surface);
     if (sum > static_cast<double>(kMostPaint))
@@ -379,8 +380,8 @@ void check_header(const JsonPlace& root) {
             version, kProjectFormatVersion);
     }
     root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
-                     "bare_support", "support_form", "well", "brush", "brush_aside", "selection",
-                     "tracing", "strokes"});
+                     "bare_support", "support_form", "well", "copied", "brush", "brush_aside",
+                     "selection", "tracing", "strokes"});
 }
 
 }  // namespace
@@ -414,6 +415,7 @@ std::string index_to_json(const ProjectIndex& index) {
     if (index.bare_support) json["bare_support"] = surface_json(*index.bare_support);
     if (!index.bare_support) json["support_form"] = form_name(index.support_form);
     if (index.well) json["well"] = surface_json(*index.well);
+    if (index.copied) json["copied"] = surface_json(*index.copied);
     if (index.brush) json["brush"] = brush_json(*index.brush);
     if (index.brush_aside) json["brush_aside"] = brush_json(*index.brush_aside);
     if (index.selection) json["selection"] = packed_json(*index.selection);
@@ -440,6 +442,7 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     if (const auto bare = root.optional_entry("bare_support")) index.bare_support = read_surface(*bare);
     index.support_form = read_form(root.optional_entry("support_form"));
     if (const auto well = root.optional_entry("well")) index.well = read_surface(*well);
+    if (const auto copied = root.optional_entry("copied")) index.copied = read_surface(*copied);
     if (const auto brush = root.optional_entry("brush")) index.brush = read_brush(*brush);
     if (const auto brush = root.optional_entry("brush_aside")) index.brush_aside = read_brush(*brush);
     if (const auto selection = root.optional_entry("selection"))

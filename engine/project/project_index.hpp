@@ -14,7 +14,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 10;
+inline constexpr int kProjectFormatVersion = 11;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -73,6 +73,7 @@ struct ProjectIndex {
     std::optional<SurfaceIndex> bare_support{};                  ///< where no name tells what it is
     film::SupportForm support_form = film::SupportForm::Levels;  ///< where a name tells it
     std::optional<SurfaceIndex> well{};
+    std::optional<SurfaceIndex> copied{};  ///< of any shape; none in formats before 11
     std::optional<BrushIndex> brush{};
     std::optional<BrushIndex> brush_aside{};  ///< none in formats before 10
     std::optional<PackedEntry> selection{};

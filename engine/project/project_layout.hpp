@@ -16,6 +16,7 @@ inline constexpr const char* kSelectionEntry = "pastoso/selection.zst";
 inline constexpr const char* kTracingEntry = "pastoso/tracing.png";
 inline constexpr const char* kBareSupportFolder = "pastoso/bare/";
 inline constexpr const char* kWellFolder = "pastoso/well/";
+inline constexpr const char* kCopiedFolder = "pastoso/copied/";
 
 /// Tiles are put together up to this size, so that a few threads share the work evenly.
 inline constexpr std::size_t kEntryBytes = std::size_t{4} << 20;

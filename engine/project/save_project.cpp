@@ -47,6 +47,7 @@ std::vector<SurfaceIndex*> surfaces_of(ProjectIndex& index) {
     for (LayerIndex& layer : index.layers)
         surfaces.push_back(&layer.surface);
     if (index.well) surfaces.push_back(&*index.well);
+    if (index.copied) surfaces.push_back(&*index.copied);
     return surfaces;
 }
 
@@ -128,6 +129,9 @@ struct FieldKeeper {
         if (!tracing) return;
         draft.index.tracing = {tracing->place, tracing->opacity};
         draft.archive.add(kTracingEntry, files::png_file(*tracing->picture));
+    }
+    void operator()(const document::CopiedPaint& copied) const {
+        if (copied) draft.index.copied = add_surface({*copied, {}}, kCopiedFolder, draft);
     }
     void operator()(const document::PaintFlows& flows) const { draft.index.flows = flows; }
     void operator()(const document::UseMedium&) const {}

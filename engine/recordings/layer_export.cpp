@@ -51,13 +51,6 @@ files::ImageLayout layout_of(const ExportSource& source, const shade::Lattice& l
     return layout;
 }
 
-bool holds_paint(const FilmState& apart, int x, int y) {
-    return apart.thickness.at(x, y) > 0 || apart.support_mm.at(x, y) != 0.0F ||
-           apart.strata.optics.at(x, y) != film::kClearStrata ||
-           !film::is_empty(apart.strata.soluble_pigment.at(x, y),
-                           apart.strata.soluble_thickness.at(x, y));
-}
-
 /// The cells below a pixel, along one side.
 struct CellSpan {
     int first, end;
@@ -73,7 +66,7 @@ float cover_of(const FilmState& apart, const CellSpan& columns, const CellSpan& 
     int covered = 0;
     for (int y = rows.first; y < rows.end; ++y)
         for (int x = columns.first; x < columns.end; ++x)
-            covered += holds_paint(apart, x, y) ? 1 : 0;
+            covered += layers::holds_paint(apart, x, y) ? 1 : 0;
     const int all = (columns.end - columns.first) * (rows.end - rows.first);
     return static_cast<float>(covered) / static_cast<float>(all);
 }

@@ -81,10 +81,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":10", "\"version\":11"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 11; this "
-        "program reads up to 10).");
-    EXPECT_THAT(error_of_index("\"version\":10", "\"version\":0"),
+        error_of_index("\"version\":11", "\"version\":12"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 12; this "
+        "program reads up to 11).");
+    EXPECT_THAT(error_of_index("\"version\":11", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }

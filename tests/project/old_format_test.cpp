@@ -130,6 +130,14 @@ TEST_F(OldFormat, NineHasNoBrushAside) {
     EXPECT_EQ(document::state_hash(old.painting), 0x4b576c071a99a065U);
 }
 
+TEST_F(OldFormat, TenHasNothingCopied) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-10.pastoso"), pool);
+    EXPECT_EQ(old.painting.value.copied, nullptr);
+    ASSERT_NE(old.painting.value.brush_aside, nullptr);
+    EXPECT_TRUE(old.painting.value.brush_aside->brush.holds_paint());
+    EXPECT_EQ(document::state_hash(old.painting), 0xfe38c0fb5154b002U);
+}
+
 /// Its brush was dipped before dips gathered hairs, and tells a tool of those days.
 TEST_F(OldFormat, FiveHasABrushThatIsAsItWasMade) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-5.pastoso"), pool);

@@ -106,6 +106,10 @@ struct FieldComparer {
             EXPECT_EQ(*a, *b);
         }
     }
+    void operator()(const document::CopiedPaint& a, const document::CopiedPaint& b) const {
+        ASSERT_EQ(a != nullptr, b != nullptr);
+        if (a) (*this)(*a, *b);
+    }
     void operator()(const document::PaintFlows& a, const document::PaintFlows& b) const {
         EXPECT_EQ(a.taken, b.taken);
         EXPECT_EQ(a.wiped, b.wiped);
@@ -267,6 +271,21 @@ TEST_F(ProjectRoundTrip, ACanvasThatWasTurnedComesBackAndReplays) {
         }
         EXPECT_EQ(again.state_hash(), kept.state_hash());
     }
+}
+
+TEST_F(ProjectRoundTrip, CopiedPaintIsPastedAfterwardsAlike) {
+    auto painting = played(busy_session(), 85, pool);
+    painting->apply(document::SelectArea{{{3, 2}, {40.2, 5}, {31, 28.7}, {12, 20}}});
+    painting->apply(document::CopyPaint{1});
+    painting->apply(document::ResizeCanvas{-4, 3, 30, 40});  // what was copied keeps its size
+    const Project project{painting->state(), {}};
+    ASSERT_TRUE(film::has_wet_paint(*project.painting.value.copied));
+    const LoadedProject loaded = saved_and_loaded(project);
+    expect_equal(loaded.painting, project.painting);
+    document::Painting again(loaded.painting, pool);
+    for (document::Painting* one : {painting.get(), &again})
+        one->apply(document::PastePaint{"Copy", 3.0, -2.0});
+    EXPECT_EQ(again.state_hash(), painting->state_hash());
 }
 
 TEST_F(ProjectRoundTrip, TheStrokesReplayToThePainting) {

@@ -42,6 +42,14 @@ QImage small_picture(const document::Snapshot& painting) {
 
 }  // namespace
 
+bool is_canvas_lent(Studio& studio) {
+    const bool lent = studio.easel().brush_is_lent();
+    if (lent)
+        studio.report(
+            CanvasSizing::tr("A recording is being played; the canvas is yours when it has ended."));
+    return lent;
+}
+
 CanvasSizing::CanvasSizing(Studio& studio, Loading& loading, panels::StatusReadings* readings)
     : studio_(studio), loading_(loading), readings_(readings) {
     studio_.commands().on(Command::CanvasSize, [this](bool) { ask(); });
@@ -56,7 +64,7 @@ CanvasSizing::CanvasSizing(Studio& studio, Loading& loading, panels::StatusReadi
 }
 
 void CanvasSizing::ask() {
-    if (is_lent()) return;
+    if (is_canvas_lent(studio_)) return;
     studio_.catch_up();
     const auto painting = studio_.session().snapshot();
     dialogs::CanvasSizeDialog dialog(painting->bare->settings, small_picture(*painting),
@@ -64,15 +72,8 @@ void CanvasSizing::ask() {
     if (dialog.exec() == QDialog::Accepted) resize(dialog.wanted());
 }
 
-/// Says so.
-bool CanvasSizing::is_lent() {
-    if (studio_.easel().brush_is_lent())
-        studio_.report(tr("A recording is being played; the canvas is yours when it has ended."));
-    return studio_.easel().brush_is_lent();
-}
-
 void CanvasSizing::crop_to_selection() {
-    if (is_lent()) return;
+    if (is_canvas_lent(studio_)) return;
     studio_.session().wait_until_applied();
     const auto painting = studio_.session().snapshot();
     const auto cropped = tools::cropped_to(painting->selection, painting->bare->settings);
@@ -83,7 +84,7 @@ void CanvasSizing::crop_to_selection() {
 }
 
 void CanvasSizing::turn(const core::Orientation& turn) {
-    if (!is_lent()) studio_.easel().turn_canvas({turn});
+    if (!is_canvas_lent(studio_)) studio_.easel().turn_canvas({turn});
 }
 
 void CanvasSizing::resize(const document::ResizeCanvas& resize) {
@@ -96,7 +97,7 @@ void CanvasSizing::resize(const document::ResizeCanvas& resize) {
 
 /// The hand waits until the paint lies on it: its millimetres are others then.
 void CanvasSizing::put_up(const document::ResizedCanvas& canvas) {
-    if (is_lent()) return;
+    if (is_canvas_lent(studio_)) return;
     studio_.catch_up();
     if (shown_bare_ != canvas.before)
         return studio_.report(tr("Meanwhile the canvas has become another one; that keeps its size."));

@@ -15,6 +15,9 @@ class StatusReadings;
 
 namespace pastoso::main {
 
+/// While a recording is played the canvas is not the painter's, and this says so.
+bool is_canvas_lent(Studio& studio);
+
 class CanvasSizing : public QObject {
     Q_OBJECT
   public:
@@ -29,7 +32,6 @@ class CanvasSizing : public QObject {
 
   private:
     void ask();
-    bool is_lent();
     void crop_to_selection();
     void turn(const core::Orientation& turn);
     void put_up(const document::ResizedCanvas& canvas);

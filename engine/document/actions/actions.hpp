@@ -5,6 +5,7 @@
 #include "document/actions/aid_actions.hpp"
 #include "document/actions/brush_actions.hpp"
 #include "document/actions/canvas_actions.hpp"
+#include "document/actions/copy_actions.hpp"
 #include "document/actions/group_actions.hpp"
 #include "document/actions/history_actions.hpp"
 #include "document/actions/layer_actions.hpp"
@@ -33,7 +34,7 @@ struct JoinedActions<ActionList<First...>, ActionList<Second...>, Rest...>
 
 using AllActions =
     JoinedActions<BrushActions, MediaActions, CanvasActions, PenActions, WellActions, HistoryActions,
-                  AidActions, LayerActions, GroupActions, SelectionActions, PictureActions>;
+                  AidActions, LayerActions, GroupActions, SelectionActions, PictureActions, CopyActions>;
 
 using Action = AllActions::Variant;
 

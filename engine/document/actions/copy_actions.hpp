@@ -1,0 +1,70 @@
+// Paint that is copied, and laid down once more.
+#pragma once
+
+#include "document/actions/layer_look_table.hpp"
+#include "document/actions/pen_actions.hpp"
+#include "document/actions/table.hpp"
+
+#include <string>
+
+namespace pastoso::document {
+
+struct LivingPainting;
+
+/// Keeps a copy of a layer's paint, or of what is selected of it, wet and dry as it is now, for
+/// PastePaint. It takes the place of the one before; Undo leaves it.
+struct CopyPaint {
+    LayerId layer = 0;  ///< 0: all that is visible, merged (layers/merging.hpp)
+    friend bool operator==(const CopyPaint&, const CopyPaint&) = default;
+};
+/// Lays what was copied onto a new layer above the active one, which becomes active, where it was or so
+/// far from there, in whole cells. Its paint comes out of the tubes, as far as it lies on the canvas,
+/// and begins at rest.
+struct PastePaint {
+    std::string name;  ///< of the layer
+    double move_x_mm = 0.0, move_y_mm = 0.0;
+    friend bool operator==(const PastePaint&, const PastePaint&) = default;
+};
+
+using CopyActions = ActionList<CopyPaint, PastePaint>;
+
+void apply(const CopyPaint& copy, LivingPainting& painting);
+void check_possible(const PastePaint& paste, const LivingPainting& painting);
+void apply(const PastePaint& paste, LivingPainting& painting);
+
+template <>
+struct Table<CopyPaint> {
+    static constexpr ActionTraits kTraits{
+        .key = "copy_paint",
+        .since = 12,
+        .meaning =
+            "keeps a copy of a layer's paint, or of what is selected of it, as it is at that "
+            "tick; it changes no paint ([0083](decisions/0083-copied-paint.md))",
+        .undo = UndoRole::NoStep,
+        .step = "",
+        .changes_painting = false,
+        .stroke = StrokeRole::Ends,
+        .in_set_up = false};
+    static constexpr void fields(auto&& visit) {
+        visit(Whole<At<&CopyPaint::layer>>{"layer", "number of the layer", 0, kMostId,
+                                           Presence::Optional, "0: all that is visible, merged"});
+    }
+};
+
+template <>
+struct Table<PastePaint> {
+    static constexpr ActionTraits kTraits =
+        change("paste_paint", 12, step_name("Paint pasted"),
+               "lays what was copied last onto a new layer above the active one, which becomes active; "
+               "its paint comes out of the tubes");
+    static constexpr void fields(auto&& visit) {
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        visit(
+            Text<At<&PastePaint::name>>{"name", "name of a layer", kMostLayerName, Presence::Required});
+        visit(Pair<At<&PastePaint::move_x_mm>, At<&PastePaint::move_y_mm>>{
+            "move_mm", "way from where it was copied", "mm", -kFar_mm, kFar_mm, Presence::Written,
+            "in whole cells"});
+    }
+};
+
+}  // namespace pastoso::document

@@ -1,0 +1,138 @@
+// Paint that is copied, cut and pasted in the window, and pictures of other programs.
+#include "app/window_fixture.hpp"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QImage>
+#include <QMimeData>
+#include <QTest>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using testing::HasSubstr;
+
+class ClipboardWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (HasFatalFailure()) return;
+        give(Command::Pause);
+        QGuiApplication::clipboard()->clear();
+        studio().easel().take_brush("Flat bristle 20", 4.0);
+        mouse_stroke(line_mm({10.0, 20.0}, {50.0, 20.0}));
+        settle();
+    }
+
+    void give(Command command) {
+        action(command)->trigger();
+        settle();
+    }
+    void press_keys(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
+        QTest::keyClick(&canvas(), key, modifiers);
+        settle();
+    }
+    void select(double x0_mm, double x1_mm) {
+        studio().easel().select(
+            document::SelectArea{{{x0_mm, 0}, {x1_mm, 0}, {x1_mm, 40}, {x0_mm, 40}}});
+        settle();
+    }
+    document::PaintingState state() { return session().capture().painting; }
+    std::size_t layer_count() { return state().value.layers.layers.size(); }
+    std::int32_t thickness_of_active(const glm::dvec2& place_mm) {
+        return state().value.film.thickness.at(static_cast<int>(4.0 * place_mm.x),
+                                               static_cast<int>(4.0 * place_mm.y));
+    }
+    static QImage clipboard_image() {
+        return qvariant_cast<QImage>(QGuiApplication::clipboard()->mimeData()->imageData());
+    }
+};
+
+TEST_F(ClipboardWindow, WhatIsSelectedIsPastedWetAsALayerWhereItWas) {
+    const std::int32_t painted = thickness_of_active({30.0, 20.0});
+    ASSERT_GT(painted, 0);
+    select(25.0, 35.0);
+    press_keys(Qt::Key_C);
+    EXPECT_THAT(told(), HasSubstr("Copied"));
+    press_keys(Qt::Key_V);
+    ASSERT_EQ(layer_count(), 2U);
+    EXPECT_EQ(thickness_of_active({30.0, 20.0}), painted);
+    EXPECT_EQ(thickness_of_active({20.0, 20.0}), 0);
+    give(Command::Undo);
+    EXPECT_EQ(layer_count(), 1U);
+}
+
+TEST_F(ClipboardWindow, CutPaintIsWipedOff) {
+    const std::int32_t painted = thickness_of_active({30.0, 20.0});
+    select(25.0, 35.0);
+    press_keys(Qt::Key_X);
+    EXPECT_EQ(thickness_of_active({30.0, 20.0}), 0);
+    EXPECT_GT(thickness_of_active({20.0, 20.0}), 0);
+    press_keys(Qt::Key_V);
+    EXPECT_EQ(thickness_of_active({30.0, 20.0}), painted);
+}
+
+TEST_F(ClipboardWindow, OtherProgramsGetAPictureOfIt) {
+    select(25.0, 35.0);
+    press_keys(Qt::Key_C);
+    const QImage image = clipboard_image();
+    EXPECT_EQ(image.width(), 40) << "ten millimetres";
+    ASSERT_GT(image.height(), 4);
+    EXPECT_EQ(image.pixelColor(20, image.height() / 2).alpha(), 255);
+    const QColor paint = image.pixelColor(20, image.height() / 2);
+    EXPECT_GT(paint.blue(), paint.red()) << "phthalo blue";
+}
+
+TEST_F(ClipboardWindow, APictureOfAnotherProgramBecomesALayer) {
+    press_keys(Qt::Key_C);
+    QImage red(30, 20, QImage::Format_ARGB32);
+    red.fill(Qt::red);
+    QGuiApplication::clipboard()->setImage(red);
+    press_keys(Qt::Key_V);
+    ASSERT_EQ(layer_count(), 2U);
+    EXPECT_FALSE(film::has_wet_paint(state().value.film)) << "it is dry";
+    const QColor middle = picture().pixelColor(picture().width() / 2, picture().height() / 2);
+    EXPECT_GT(middle.red(), 150);
+    EXPECT_LT(middle.green(), 90);
+}
+
+TEST_F(ClipboardWindow, MergedPaintIsThatOfAllLayers) {
+    give(Command::AddLayer);
+    mouse_stroke(line_mm({30.0, 5.0}, {30.0, 12.0}));
+    settle();
+    press_keys(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    press_keys(Qt::Key_V);
+    EXPECT_GT(thickness_of_active({20.0, 20.0}), 0) << "of the lower layer";
+    EXPECT_GT(thickness_of_active({30.0, 9.0}), 0);
+}
+
+TEST_F(ClipboardWindow, WhereThereIsNothingItSaysSo) {
+    press_keys(Qt::Key_V);
+    EXPECT_THAT(told(), HasSubstr("nothing to paste"));
+    select(1.0, 3.0);
+    press_keys(Qt::Key_C);
+    EXPECT_THAT(told(), HasSubstr("no paint to copy"));
+    EXPECT_EQ(layer_count(), 1U);
+}
+
+TEST_F(ClipboardWindow, ItIsPastedWhereThePointerIs) {
+    const std::int32_t painted = thickness_of_active({30.0, 20.0});
+    select(29.0, 31.0);
+    press_keys(Qt::Key_C);
+    move({30.0, 10.0}, Qt::NoButton);
+    settle();
+    press_keys(Qt::Key_V, Qt::ControlModifier | Qt::AltModifier);
+    ASSERT_EQ(layer_count(), 2U);
+    // The pointer is at whole pixels, and the stroke is as high as its hairs reach.
+    std::int32_t most = 0;
+    for (double y_mm = 7.0; y_mm < 13.0; y_mm += 0.25)
+        most = std::max(most, thickness_of_active({30.0, y_mm}));
+    EXPECT_GT(most, painted / 2);
+    EXPECT_EQ(thickness_of_active({30.0, 20.0}), 0);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
