@@ -81,6 +81,10 @@ struct Inventory {
         paints.insert(paint_text(squeeze.paint));
         ++squeezes;
     }
+    void operator()(const document::FillWithPaint& fill) {
+        paints.insert(paint_text(fill.paint));
+        if (!fill.line.empty()) paints.insert(paint_text(fill.second));
+    }
     void operator()(const document::PenDown& pen) {
         ++strokes;
         well_strokes += pen.surface == document::Surface::Well ? 1 : 0;

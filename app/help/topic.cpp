@@ -31,6 +31,8 @@ constexpr Topic kTopics[] = {
     {"pastoso::dialogs::TransformDialog", "layers#moving-scaling-and-turning"},
     {"pastoso::dialogs::CanvasSizeDialog", "layers#the-size-of-the-canvas"},
     {"pastoso::dialogs::SelectRangeDialog", "layers#selections"},
+    {"pastoso::dialogs::MarginDialog", "layers#selections"},
+    {"pastoso::dialogs::ThicknessDialog", "paint#filling"},
     {"pastoso::panels::HistoryPanel", "history-and-files#undo"},
     {"pastoso::panels::RecorderPanel", "history-and-files#the-recorder"},
     {"pastoso::panels::MessagePanel", "history-and-files#when-something-fails"},

@@ -10,9 +10,14 @@
 
 namespace pastoso::interactions {
 
-enum class AreaForm { Rectangle, Lasso };
+enum class AreaForm { Rectangle, Ellipse, Lasso, Polygon };
 
-/// Knows the outline between press and release. Places are millimetres on the canvas.
+/// The area within a closed line; nothing when it is so narrow on the screen that it was a click.
+std::optional<document::SelectArea> area_within(const std::vector<glm::dvec2>& outline_mm,
+                                                grid::Combination how, double px_mm);
+
+/// Knows the outline between press and release, of all forms but the polygon. Places are millimetres on
+/// the canvas.
 class AreaDrag {
   public:
     void press(AreaForm form, const glm::dvec2& place_mm, grid::Combination how);
@@ -20,7 +25,7 @@ class AreaDrag {
     void cancel() { form_.reset(); }
 
     /// `px_mm` is as large as a pixel of the screen: a lasso keeps no points that are nearer. `square`
-    /// makes both sides of a rectangle as long as its longer one.
+    /// makes both sides of a rectangle, or of that around an ellipse, as long as its longer one.
     void move(const glm::dvec2& place_mm, double px_mm, bool square);
 
     /// So far, a closed line.
@@ -35,7 +40,8 @@ class AreaDrag {
 
     std::optional<AreaForm> form_;
     grid::Combination how_ = grid::Combination::Replace;
-    std::vector<glm::dvec2> points_mm_;  ///< never none; the last one follows the pointer
+    glm::dvec2 pressed_mm_{};
+    std::vector<glm::dvec2> points_mm_;  ///< never none; the last one of a lasso follows the pointer
 };
 
 }  // namespace pastoso::interactions

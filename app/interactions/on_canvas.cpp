@@ -9,13 +9,15 @@ OnCanvas::OnCanvas(view::CanvasView* canvas, tools::Easel& easel, document::Surf
       pick_next(*canvas),
       frame(*canvas),
       areas(*canvas),
+      wand(*canvas),
+      gradient(*canvas),
       buttons(*canvas),
       pick_by_keys(surface),
       guides(*canvas, easel),
       paint(*canvas, easel, surface),
       finger_move(*canvas, navigate) {
     for (view::Interaction* one : std::initializer_list<view::Interaction*>{
-             &navigate, &lamp, &pick_next, &frame, &areas, &buttons, &pick_by_keys})
+             &navigate, &lamp, &pick_next, &frame, &areas, &wand, &gradient, &buttons, &pick_by_keys})
         canvas->add(*one);
     if (surface == document::Surface::Canvas) canvas->add(guides);
     canvas->add(paint);

@@ -3,7 +3,9 @@
 
 #include "interactions/areas.hpp"
 #include "interactions/buttons.hpp"
+#include "interactions/colour_wand.hpp"
 #include "interactions/frame.hpp"
+#include "interactions/gradient_line.hpp"
 #include "interactions/guides.hpp"
 #include "interactions/lamp.hpp"
 #include "interactions/navigate.hpp"
@@ -13,7 +15,8 @@
 namespace pastoso::interactions {
 
 /// Goes with its view, and before the easel. A press is offered to them in the order in which they stand
-/// here; on the well there is no lamp, no frame, no area and no guide.
+/// here; on the well there is no lamp, no frame, no area, no wand, no gradient and
+/// no guide.
 class OnCanvas : public QObject {
     Q_OBJECT
   public:
@@ -24,6 +27,8 @@ class OnCanvas : public QObject {
     PickNext pick_next;
     Frame frame;
     Areas areas;
+    ColourWand wand;
+    GradientLine gradient;
     Buttons buttons;
     PickByKeys pick_by_keys;
     Guides guides;

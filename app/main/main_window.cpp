@@ -18,8 +18,13 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
       panels_(lay_out(studio_)),
       parts_(std::make_unique<WindowParts>(studio_, panels_, keeps_journal)) {
     WindowParts& parts = *parts_;
-    connect(&parts.selection, &SelectionCommands::drawing_begins, &parts.transform,
+    connect(&parts.selection, &SelectionCommands::selecting_begins, &parts.transform,
             &LayerTransform::end);
+    connect(&parts.selection, &SelectionCommands::selecting_begins, &parts.fills,
+            &FillCommands::end_gradients);
+    connect(&parts.fills, &FillCommands::gradients_begin, &parts.selection,
+            &SelectionCommands::go_back_to_painting);
+    connect(&parts.fills, &FillCommands::gradients_begin, &parts.transform, &LayerTransform::end);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.files, &ProjectFiles::show_title);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
     connect(&parts.preferences, &PreferenceCommands::autosave_due, &parts.files,

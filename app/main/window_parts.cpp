@@ -10,6 +10,8 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       layer_pictures(studio, panels.layers, panels.docks.at(commands::Command::LayersPanel)),
       selection(studio, panels.brushes, panels.readings),
       ranges(studio),
+      margins(studio),
+      fills(studio, panels.brushes),
       tracing(studio, loading, panels.tracing),
       well(studio, panels.well),
       hand(studio, panels),

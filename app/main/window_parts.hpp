@@ -7,6 +7,7 @@
 #include "main/canvas/navigation.hpp"
 #include "main/canvas/range_selection.hpp"
 #include "main/canvas/selection_commands.hpp"
+#include "main/canvas/selection_margins.hpp"
 #include "main/canvas/undo_commands.hpp"
 #include "main/canvas/view_commands.hpp"
 #include "main/files/dropped_files.hpp"
@@ -24,6 +25,7 @@
 #include "main/layers/tracing_commands.hpp"
 #include "main/liquids/tank_mode.hpp"
 #include "main/liquids/tea_mode.hpp"
+#include "main/paint/fill_commands.hpp"
 #include "main/paint/keeping_up.hpp"
 #include "main/paint/light_choice.hpp"
 #include "main/paint/media_swatches.hpp"
@@ -57,6 +59,8 @@ struct WindowParts {
     LayerPictures layer_pictures;
     SelectionCommands selection;
     RangeSelection ranges;
+    SelectionMargins margins;
+    FillCommands fills;
     TracingCommands tracing;
     WellCommands well;
     HandControls hand;

@@ -292,6 +292,11 @@ void Easel::transform(const TransformLayer& transform) {
     post_(transform);
 }
 
+void Easel::fill(const FillWithPaint& fill) {
+    end_stroke();
+    post_(fill);
+}
+
 void Easel::undo() {
     end_stroke();
     post_(Undo{});

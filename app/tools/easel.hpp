@@ -101,7 +101,7 @@ class Easel {
     void lay_ellipse(const brush::EllipseCurve& ellipse);
     void take_ellipse_away();
 
-    /// SelectArea, SelectByHeight, SelectByWetness, InvertSelection or SelectAll.
+    /// One of document::SelectionActions or document::MarginActions.
     void select(const document::Action& selection);
 
     /// What lay on the canvas came to lie elsewhere on it: guides, symmetry and fan follow.
@@ -110,6 +110,7 @@ class Easel {
     void resize(const document::ResizeCanvas& resize);
     void turn_canvas(const document::TurnCanvas& turn);
     void transform(const document::TransformLayer& transform);
+    void fill(const document::FillWithPaint& fill);
     void undo();
     void redo();
 

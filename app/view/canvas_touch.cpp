@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <QKeyEvent>
 #include <QPointingDevice>
 #include <QTouchEvent>
 
@@ -27,6 +28,11 @@ bool CanvasView::event(QEvent* event) {
         case QEvent::TouchEnd:
         case QEvent::TouchCancel:
             return touch(*static_cast<QTouchEvent*>(event));
+        case QEvent::ShortcutOverride: {
+            const bool needed = interactions_.needs_key(*static_cast<QKeyEvent*>(event));
+            event->setAccepted(needed);
+            return needed || QWidget::event(event);
+        }
         case QEvent::PaletteChange:  // another theme has another ground
             screen_->damage_all();
             return QWidget::event(event);

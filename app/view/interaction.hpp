@@ -41,6 +41,8 @@ class Interaction {
 
     /// Whether the key, pressed or released, is its own.
     virtual bool key(const QKeyEvent& /*event*/) { return false; }
+    /// Whether the key is its own now, even where it is a command's otherwise.
+    virtual bool needs_key(const QKeyEvent& /*event*/) const { return false; }
     virtual void keys_lost() {}  ///< the keyboard is another's
 
     /// Draws what it shows over the canvas.

@@ -53,6 +53,11 @@ bool InteractionStack::key(const QKeyEvent& event) {
                        [&](Interaction* one) { return one->key(event); });
 }
 
+bool InteractionStack::needs_key(const QKeyEvent& event) const {
+    return std::any_of(interactions_.begin(), interactions_.end(),
+                       [&](const Interaction* one) { return one->needs_key(event); });
+}
+
 void InteractionStack::keys_lost() {
     for (Interaction* interaction : interactions_)
         interaction->keys_lost();

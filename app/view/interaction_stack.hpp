@@ -18,6 +18,7 @@ class InteractionStack {
     void cancel();
 
     bool key(const QKeyEvent& event);
+    bool needs_key(const QKeyEvent& event) const;
     void keys_lost();
     void draw(const Overlay& overlay);
 

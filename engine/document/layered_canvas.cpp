@@ -359,6 +359,14 @@ LayerPaint LayeredCanvas::paint_picture(const PaintPicture& paint) {
     return taken;
 }
 
+LayerPaint LayeredCanvas::pour(const film::FilmState& poured) {
+    rearrange([&](LayerStack& stack) {
+        InactiveFilm& layer = stack.layers[stack.active].inactive;
+        layer = inactive_film(layers::merged(*layer, poured, 1.0, pool_));
+    });
+    return paint_on(poured);
+}
+
 LayerPaint LayeredCanvas::duplicate(const DuplicateLayer& duplicate) {
     LayerPaint taken;
     rearrange([&](LayerStack& stack) {

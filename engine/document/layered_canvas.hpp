@@ -87,6 +87,8 @@ class LayeredCanvas {
     void merge_down(const MergeDown& merge);
     void flatten();
     LayerPaint paint_picture(const PaintPicture& paint);    ///< what came out of the tubes
+    /// Puts a film that is apart from what it lies on onto the active layer. What came out of the tubes.
+    LayerPaint pour(const film::FilmState& poured);
     LayerPaint duplicate(const DuplicateLayer& duplicate);  ///< what came out of the tubes
     LayerPaint paste(const PastePaint& paste, const film::FilmState& copied);  ///< the same
     LayerPaint remove(const RemoveLayer& remove);                              ///< what was wiped off

@@ -37,6 +37,9 @@ void note_paints(const Action& action, std::vector<std::string>& names) {
         note_names(load->second, names);
     } else if (const auto* squeeze = std::get_if<SqueezePaint>(&action)) {
         note_names(squeeze->paint, names);
+    } else if (const auto* fill = std::get_if<FillWithPaint>(&action)) {
+        note_names(fill->paint, names);
+        note_names(fill->second, names);
     }
 }
 

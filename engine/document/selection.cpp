@@ -1,8 +1,10 @@
 #include "document/selection.hpp"
 
+#include "grid/mask_margins.hpp"
 #include "grid/turning.hpp"
 
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace pastoso::document {
@@ -28,6 +30,15 @@ grid::Mask cells_within(grid::Shape shape, double least_mm, double most_mm, cons
     return builder.take();
 }
 
+/// The cells whose paint, wet and dry, stands so high above what is given.
+grid::Mask cells_of_height(const film::FilmState& film, const film::SupportHeights& above_mm,
+                           double least_mm, double most_mm) {
+    return cells_within(film.shape, least_mm, most_mm, [&](int tile, int cell) {
+        return film.support_mm.read(tile)[cell] - above_mm.read(tile)[cell] +
+               film::thickness_mm(film.thickness.read(tile)[cell]);
+    });
+}
+
 }  // namespace
 
 grid::Mask area_of(const SelectArea& select, const film::FilmState& film) {
@@ -39,10 +50,12 @@ grid::Mask area_of(const SelectArea& select, const film::FilmState& film) {
 
 grid::Mask area_of(const SelectByHeight& select, const film::FilmState& film,
                    const film::SupportHeights& bare_mm) {
-    return cells_within(film.shape, select.least_mm, select.most_mm, [&](int tile, int cell) {
-        return film.support_mm.read(tile)[cell] - bare_mm.read(tile)[cell] +
-               film::thickness_mm(film.thickness.read(tile)[cell]);
-    });
+    return cells_of_height(film, bare_mm, select.least_mm, select.most_mm);
+}
+
+grid::Mask area_of(const SelectPaint&, const film::FilmState& film,
+                   const film::SupportHeights& base_mm) {
+    return cells_of_height(film, base_mm, kLeastPaint_mm, std::numeric_limits<double>::infinity());
 }
 
 grid::Mask area_of(const SelectByWetness& select, const film::FilmState& film) {
@@ -58,6 +71,19 @@ Selection combined(const Selection& before, const grid::Mask& region, Combinatio
 
 Selection inverted(const Selection& before) {
     return before ? selection_of(grid::inverted(*before)) : nullptr;
+}
+
+Selection changed_by(const GrowSelection& grow, const Selection& before, double cell_mm) {
+    return before ? selection_of(grid::grown(*before, grow.width_mm / cell_mm)) : nullptr;
+}
+
+Selection changed_by(const ShrinkSelection& shrink, const Selection& before, double cell_mm) {
+    return before ? selection_of(grid::shrunk(*before, shrink.width_mm / cell_mm)) : nullptr;
+}
+
+Selection changed_by(const BorderSelection& border, const Selection& before, double cell_mm) {
+    return before ? selection_of(grid::along_outline(*before, 0.5 * border.width_mm / cell_mm))
+                  : nullptr;
 }
 
 Selection on_extent(const Selection& before, const grid::Extent& extent) {

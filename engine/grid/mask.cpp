@@ -89,14 +89,15 @@ void MaskBuilder::set_tile(int tile, const std::uint8_t* chosen) {
         mask_.replace(tile, is_all(chosen, 1) ? all_ : TileBlock<std::uint8_t>::copy_of(chosen));
 }
 
-Mask polygon_mask(Shape shape, const std::vector<Point>& outline) {
+Mask mask_by_rows(Shape shape,
+                  const std::function<void(int y, std::vector<std::uint8_t>& chosen)>& choose_row) {
     MaskBuilder builder(shape);
-    const int width = shape.tiles_x() * kTileSize;
     std::vector<std::vector<std::uint8_t>> rows(kTileSize);
     for (int tile_y = 0; tile_y < shape.tiles_y(); ++tile_y) {
         for (int y = 0; y < kTileSize; ++y) {
-            rows[y].assign(static_cast<std::size_t>(width), 0);
-            fill_row(crossings(outline, tile_y * kTileSize + y + 0.5), width, rows[y]);
+            rows[y].assign(static_cast<std::size_t>(shape.width), 0);
+            if (tile_y * kTileSize + y < shape.height) choose_row(tile_y * kTileSize + y, rows[y]);
+            rows[y].resize(static_cast<std::size_t>(shape.tiles_x()) * kTileSize);
         }
         for (int tile_x = 0; tile_x < shape.tiles_x(); ++tile_x) {
             TileMask chosen;
@@ -106,6 +107,12 @@ Mask polygon_mask(Shape shape, const std::vector<Point>& outline) {
         }
     }
     return builder.take();
+}
+
+Mask polygon_mask(Shape shape, const std::vector<Point>& outline) {
+    return mask_by_rows(shape, [&](int y, std::vector<std::uint8_t>& chosen) {
+        fill_row(crossings(outline, y + 0.5), shape.width, chosen);
+    });
 }
 
 Mask combined(const Mask& before, const Mask& region, Combination how) {

@@ -4,6 +4,7 @@
 #include "grid/tiled_field.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pastoso::grid {
@@ -25,6 +26,11 @@ enum class Combination { Replace, Add, Subtract, Intersect };
 /// crosses itself, its loops are in. A centre on an edge belongs to what lies right of it or below it.
 /// Fewer than three points enclose nothing. Coordinates are finite.
 Mask polygon_mask(Shape shape, const std::vector<Point>& outline);
+
+/// Row by row from the top: `choose_row` sets the cells of row y, all 0 at first and as many as the
+/// canvas is wide.
+Mask mask_by_rows(Shape shape,
+                  const std::function<void(int y, std::vector<std::uint8_t>& chosen)>& choose_row);
 
 /// Of one shape.
 Mask combined(const Mask& before, const Mask& region, Combination how);

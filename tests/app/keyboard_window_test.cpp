@@ -8,6 +8,7 @@
 #include "dialogs/crash_dialog.hpp"
 #include "dialogs/export_dialog.hpp"
 #include "dialogs/keys_dialog.hpp"
+#include "dialogs/length_dialog.hpp"
 #include "dialogs/new_canvas_dialog.hpp"
 #include "dialogs/recovery_dialog.hpp"
 #include "dialogs/select_range_dialog.hpp"
@@ -382,6 +383,13 @@ TEST_F(Keyboard, ReachesAllOfTransformAndRange) {
     dialogs::SelectRangeDialog range(QStringLiteral("Height"), QStringLiteral("Of paint"), {0.0, 1.0},
                                      &window());
     expect_all_reached(range);
+    dialogs::MarginDialog margin({.title = QStringLiteral("Grow"),
+                                  .explanation = QStringLiteral("On all sides"),
+                                  .name = QStringLiteral("Width"),
+                                  .button = QStringLiteral("Grow"),
+                                  .most_mm = 10.0},
+                                 &window());
+    expect_all_reached(margin);
 }
 
 TEST_F(Keyboard, ReachesAllOfThePens) {

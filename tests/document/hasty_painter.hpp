@@ -22,7 +22,7 @@ class HastyPainter {
     explicit HastyPainter(std::uint32_t seed) : seed_(seed) {}
 
     /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well,
-    /// layers, selections, tracing pictures.
+    /// layers, selections, fills, tracing pictures.
     std::vector<Action> next() {
         if (!began_) {
             began_ = true;
@@ -50,6 +50,8 @@ class HastyPainter {
         if (what == 17) return {LayTracing{picture(), {5.0 * uniform(), 0, 40, 30}}};
         if (what == 18) return {SetTracing{{0, 0, 30, 20}, uniform()}};
         if (what == 19) return {own_medium(), dip()};
+        if (what == 20) return {margin()};
+        if (what == 21 && choice(2) == 0) return {fill()};
         if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }
@@ -61,6 +63,22 @@ class HastyPainter {
     std::shared_ptr<const pigment::Picture> picture() {
         return std::make_shared<const pigment::Picture>(
             pigment::Picture{1, 2, {255, 0, 0, 255, 0, 0, static_cast<std::uint8_t>(choice(256)), 128}});
+    }
+
+    Action margin() {
+        const double width_mm = 0.1 + 4.0 * uniform();
+        const int which = choice(4);
+        if (which == 0) return GrowSelection{width_mm};
+        if (which == 1) return ShrinkSelection{width_mm};
+        if (which == 2) return BorderSelection{width_mm};
+        return SelectSimilarColour{60.0 * uniform(), 40.0 * uniform(), 20.0 * uniform()};
+    }
+
+    Action fill() {
+        return FillWithPaint{.paint = {{{"PY35", 1.0}}},
+                             .thickness_mm = 0.05 + 0.5 * uniform(),
+                             .second = {{{"PB29", 1.0}}},
+                             .line = {{0, 5}, {20.0 + 40.0 * uniform(), 30}}};
     }
 
     Action own_medium() {

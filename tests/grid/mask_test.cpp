@@ -1,9 +1,9 @@
 #include "grid/mask.hpp"
 
 #include "core/random.hpp"
+#include "grid/drawn_mask.hpp"
 
 #include <cmath>
-#include <string>
 
 #include <gtest/gtest.h>
 
@@ -11,17 +11,6 @@ namespace pastoso::grid {
 namespace {
 
 constexpr Shape kSmall = {6, 4};
-
-/// Rows of # for chosen cells and . for others.
-std::string drawn(const Mask& mask) {
-    std::string text;
-    for (int y = 0; y < mask.shape().height; ++y) {
-        for (int x = 0; x < mask.shape().width; ++x)
-            text += mask.at(x, y) != 0 ? '#' : '.';
-        text += '\n';
-    }
-    return text;
-}
 
 /// How often the outline winds around a point, from the angles under which its edges are seen.
 int winding(const std::vector<Point>& outline, double x, double y) {

@@ -114,7 +114,14 @@ Recording everything() {
         {45, TurnCanvas{{false, 1}}},
         {45, InvertSelection{}},
         {45, TransformLayer{2, {10, 12.5, -3, 4, 30, 0.5, -2}}},
-        {45, SelectAll{}},
+        {46, SelectPaint{Combination::Add}},
+        {46, SelectSimilarColour{10.5, 20, 12.25, false, Combination::Intersect}},
+        {46, GrowSelection{2.5}},
+        {46, ShrinkSelection{0.75}},
+        {46, BorderSelection{1.5}},
+        {47, FillWithPaint{{{{"PB29", 1.0}}, 0.5}, 0.35, {{{"PW6", 1.0}}}, {{5, 10}, {40.5, 30}}}},
+        {47, FillWithPaint{{{{"PB29", 1.0}}}}},
+        {48, SelectAll{}},
     };
     recording.end_tick = 100;
     return recording;
@@ -433,6 +440,8 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         recording.events.push_back({0, LayBrushAside{}});
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 11,")) << arithmetic;
         recording.events = {{0, TurnCanvas{{true, 0}}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 12,")) << arithmetic;
+        recording.events = {{0, FillWithPaint{}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 12,")) << arithmetic;
     }
 }

@@ -1,6 +1,7 @@
 #include "main/canvas/range_selection.hpp"
 
 #include "dialogs/select_range_dialog.hpp"
+#include "main/canvas/dialog_corner.hpp"
 #include "tools/selecting.hpp"
 
 #include <cmath>
@@ -16,8 +17,6 @@ using commands::Command;
 
 /// So often an open dialog looks at paint that moves.
 constexpr int kLook_ms = 400;
-
-constexpr int kMargin_px = 16;
 
 /// Thinner paint is no more than a stain.
 constexpr double kLeastWet_mm = 0.005;
@@ -77,10 +76,7 @@ void RangeSelection::ask(bool wetness) {
         preview(wetness);
     });
     looks->start(kLook_ms);
-    // In a corner, where it hides little of what it outlines.
-    const int corner_y = studio_.canvas().height() - dialog_->sizeHint().height() - kMargin_px;
-    dialog_->move(studio_.canvas().mapToGlobal(QPoint(kMargin_px, corner_y)));
-    dialog_->show();
+    show_in_corner(*dialog_, studio_.canvas());
     preview(wetness);
 }
 

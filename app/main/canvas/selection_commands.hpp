@@ -1,7 +1,6 @@
-// Selections: outlines drawn on the canvas, and what is told of them.
+// Selections: outlines drawn and colours clicked on the canvas, and what is told of them.
 #pragma once
 
-#include "interactions/area_drag.hpp"
 #include "main/studio.hpp"
 
 #include <optional>
@@ -18,22 +17,27 @@ namespace pastoso::main {
 class SelectionCommands : public QObject {
     Q_OBJECT
   public:
-    /// Taking a tool of `brushes` ends the drawing.
+    /// Taking a tool of `brushes` ends the selecting.
     SelectionCommands(Studio& studio, panels::BrushPanel* brushes, panels::StatusReadings* readings);
 
+    void go_back_to_painting() { select_by(std::nullopt); }
+
   Q_SIGNALS:
-    void drawing_begins();  ///< a press draws outlines from now on, and nothing else
+    void selecting_begins();  ///< a press selects from now on, and does nothing else
 
   private:
-    void draw_areas(std::optional<interactions::AreaForm> form);
+    void listen_to_areas();
+    void listen_to_wand();
+    void select_by(std::optional<commands::Command> way);
     void tell_combination(grid::Combination how);
+    void tell_cancelled();
     void warn_outside(const QPointF& canvas_mm);
     void show(const document::Snapshot& painting);
     void show_reading();
 
     Studio& studio_;
     panels::StatusReadings* readings_;
-    std::optional<interactions::AreaForm> form_;  ///< what a press on the canvas draws; none: it paints
+    std::optional<commands::Command> way_;  ///< how a press on the canvas selects; none: it paints
     document::Selection shown_;
 };
 

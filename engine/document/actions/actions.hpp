@@ -6,9 +6,11 @@
 #include "document/actions/brush_actions.hpp"
 #include "document/actions/canvas_actions.hpp"
 #include "document/actions/copy_actions.hpp"
+#include "document/actions/fill_actions.hpp"
 #include "document/actions/group_actions.hpp"
 #include "document/actions/history_actions.hpp"
 #include "document/actions/layer_actions.hpp"
+#include "document/actions/margin_actions.hpp"
 #include "document/actions/media_actions.hpp"
 #include "document/actions/pen_actions.hpp"
 #include "document/actions/picture_actions.hpp"
@@ -34,7 +36,8 @@ struct JoinedActions<ActionList<First...>, ActionList<Second...>, Rest...>
 
 using AllActions =
     JoinedActions<BrushActions, MediaActions, CanvasActions, PenActions, WellActions, HistoryActions,
-                  AidActions, LayerActions, GroupActions, SelectionActions, PictureActions, CopyActions>;
+                  AidActions, LayerActions, GroupActions, SelectionActions, MarginActions,
+                  PictureActions, CopyActions, FillActions>;
 
 using Action = AllActions::Variant;
 

@@ -97,7 +97,7 @@ struct Table<TurnCanvas> {
         visit(Truth<At<&TurnCanvas::turn, &Orientation::mirrored>>{"mirrored", "mirrored",
                                                                    Presence::Optional});
         visit(Whole<At<&TurnCanvas::turn, &Orientation::quarter_turns>>{
-            "quarter_turns", "number of quarter turns", 0, 3, Presence::Optional});
+            "quarter_turns", core::Pattern<0>("number of quarter turns"), 0, 3, Presence::Optional});
     }
 };
 

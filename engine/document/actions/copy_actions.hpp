@@ -46,7 +46,7 @@ struct Table<CopyPaint> {
         .stroke = StrokeRole::Ends,
         .in_set_up = false};
     static constexpr void fields(auto&& visit) {
-        visit(Whole<At<&CopyPaint::layer>>{"layer", "number of the layer", 0, kMostId,
+        visit(Whole<At<&CopyPaint::layer>>{"layer", core::Pattern<0>("number of the layer"), 0, kMostId,
                                            Presence::Optional, "0: all that is visible, merged"});
     }
 };
@@ -59,11 +59,11 @@ struct Table<PastePaint> {
                "its paint comes out of the tubes");
     static constexpr void fields(auto&& visit) {
         constexpr double kFar_mm = kMaxPenPosition_mm;
-        visit(
-            Text<At<&PastePaint::name>>{"name", "name of a layer", kMostLayerName, Presence::Required});
+        visit(Text<At<&PastePaint::name>>{"name", core::Pattern<0>("name of a layer"), kMostLayerName,
+                                          Presence::Required});
         visit(Pair<At<&PastePaint::move_x_mm>, At<&PastePaint::move_y_mm>>{
-            "move_mm", "way from where it was copied", "mm", -kFar_mm, kFar_mm, Presence::Written,
-            "in whole cells"});
+            "move_mm", core::Pattern<0>("way from where it was copied"), "mm", -kFar_mm, kFar_mm,
+            Presence::Written, "in whole cells"});
     }
 };
 

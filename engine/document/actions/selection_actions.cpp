@@ -2,6 +2,7 @@
 
 #include "document/actions/field_checks.hpp"
 #include "document/living_painting.hpp"
+#include "document/similar_colour.hpp"
 
 namespace pastoso::document {
 namespace {
@@ -17,15 +18,18 @@ void select(const grid::Mask& area, Combination how, LivingPainting& painting) {
 
 }  // namespace
 
+void check_point(const core::Message& name, const CanvasPoint& point) {
+    check_between(core::message("x of the %1", name), "mm", point.x_mm, -kMaxPenPosition_mm,
+                  kMaxPenPosition_mm);
+    check_between(core::message("y of the %1", name), "mm", point.y_mm, -kMaxPenPosition_mm,
+                  kMaxPenPosition_mm);
+}
+
 void check_whole(const SelectArea& select) {
     check_between(core::message("number of the outline's points"), "",
                   static_cast<double>(select.outline.size()), 3.0, kMostOutlinePoints);
-    for (const CanvasPoint& point : select.outline) {
-        check_between(core::message("x of the outline's point"), "mm", point.x_mm, -kMaxPenPosition_mm,
-                      kMaxPenPosition_mm);
-        check_between(core::message("y of the outline's point"), "mm", point.y_mm, -kMaxPenPosition_mm,
-                      kMaxPenPosition_mm);
-    }
+    for (const CanvasPoint& point : select.outline)
+        check_point(core::message("outline's point"), point);
 }
 
 void check_whole(const SelectByHeight& select) {
@@ -55,6 +59,16 @@ void apply(const SelectByHeight& heights, LivingPainting& painting) {
 
 void apply(const SelectByWetness& wetness, LivingPainting& painting) {
     select(area_of(wetness, painting.value.film), wetness.how, painting);
+}
+
+void apply(const SelectPaint& paint, LivingPainting& painting) {
+    const PaintingValue& value = painting.value;
+    select(area_of(paint, value.film, base_below_active(value.layers, value.bare->support_mm)),
+           paint.how, painting);
+}
+
+void apply(const SelectSimilarColour& colour, LivingPainting& painting) {
+    select(area_of(colour, painting.canvas.view(), kPrimedGround, painting.pool), colour.how, painting);
 }
 
 void apply(const InvertSelection&, LivingPainting& painting) {

@@ -21,10 +21,19 @@ struct CanvasPoint {
     friend bool operator==(const CanvasPoint&, const CanvasPoint&) = default;
 };
 
+/// Throws InputError, naming it, when a pen cannot come there.
+void check_point(const core::Message& name, const CanvasPoint& point);
+
 inline constexpr std::size_t kMostOutlinePoints = 20000;
 
 /// Paint is never higher.
 inline constexpr double kMostPaint_mm = 1000.0;
+
+/// Thinner paint than this is no more than what rounding leaves.
+inline constexpr double kLeastPaint_mm = 1e-4;
+
+/// In CIEDE2000; black and white differ by so much.
+inline constexpr double kMostDifference = 100.0;
 
 struct SelectArea {  ///< what a closed line goes around: a rectangle's corners or a lasso
     std::vector<CanvasPoint> outline{};  ///< 3 to kMostOutlinePoints
@@ -43,6 +52,19 @@ struct SelectByWetness {                   ///< where the wet paint of the activ
     Combination how = Combination::Replace;
     friend bool operator==(const SelectByWetness&, const SelectByWetness&) = default;
 };
+struct SelectPaint {  ///< where the active layer has paint, wet or dry, of kLeastPaint_mm or more
+    Combination how = Combination::Replace;
+    friend bool operator==(const SelectPaint&, const SelectPaint&) = default;
+};
+/// Where the painting, all that is visible of it, has nearly the colour that the cell at a place has, or
+/// the nearest one on the canvas: as the paint looks under even daylight.
+struct SelectSimilarColour {
+    double x_mm = 0.0, y_mm = 0.0;
+    double difference = 10.0;  ///< CIEDE2000, included, 0 to kMostDifference
+    bool connected = true;     ///< only what hangs together with the place, cell by cell
+    Combination how = Combination::Replace;
+    friend bool operator==(const SelectSimilarColour&, const SelectSimilarColour&) = default;
+};
 struct InvertSelection {
     friend bool operator==(const InvertSelection&, const InvertSelection&) = default;
 };
@@ -50,8 +72,8 @@ struct SelectAll {  ///< ends the selection
     friend bool operator==(const SelectAll&, const SelectAll&) = default;
 };
 
-using SelectionActions =
-    ActionList<SelectArea, SelectByHeight, SelectByWetness, InvertSelection, SelectAll>;
+using SelectionActions = ActionList<SelectArea, SelectByHeight, SelectByWetness, SelectPaint,
+                                    SelectSimilarColour, InvertSelection, SelectAll>;
 
 void check_whole(const SelectArea& select);
 void check_whole(const SelectByHeight& select);
@@ -61,6 +83,8 @@ bool changes_anything(const SelectAll& select, const LivingPainting& painting);
 void apply(const SelectArea& select, LivingPainting& painting);
 void apply(const SelectByHeight& select, LivingPainting& painting);
 void apply(const SelectByWetness& select, LivingPainting& painting);
+void apply(const SelectPaint& select, LivingPainting& painting);
+void apply(const SelectSimilarColour& select, LivingPainting& painting);
 void apply(const InvertSelection& invert, LivingPainting& painting);
 void apply(const SelectAll& select, LivingPainting& painting);
 
@@ -109,6 +133,35 @@ struct Table<SelectByWetness> {
             "most_mm", core::Pattern<0>("most thickness of wet paint"), "mm", 0.0, kMostPaint_mm,
             Presence::Required, "both included"});
         visit(kWayToSelect<&SelectByWetness::how>);
+    }
+};
+
+template <>
+struct Table<SelectPaint> {
+    static constexpr ActionTraits kTraits = change("select_paint", 12, step_name("Selection"),
+                                                   "where the active layer has paint, wet or dry");
+    static constexpr void fields(auto&& visit) { visit(kWayToSelect<&SelectPaint::how>); }
+};
+
+template <>
+struct Table<SelectSimilarColour> {
+    static constexpr ActionTraits kTraits =
+        change("select_similar_colour", 12, step_name("Selection"),
+               "where the painting, all that is visible of it, has nearly the colour that it has at a "
+               "place, under even daylight");
+    static constexpr void fields(auto&& visit) {
+        using enum Presence;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        visit(Number<At<&SelectSimilarColour::x_mm>>{"x_mm", core::Pattern<0>("x of the colour's place"),
+                                                     "mm", -kFar_mm, kFar_mm, Required});
+        visit(Number<At<&SelectSimilarColour::y_mm>>{"y_mm", core::Pattern<0>("y of the colour's place"),
+                                                     "mm", -kFar_mm, kFar_mm, Required});
+        visit(Number<At<&SelectSimilarColour::difference>>{
+            "difference", core::Pattern<0>("difference of the colour"), "", 0.0, kMostDifference,
+            Written, "in CIEDE2000, included"});
+        visit(Truth<At<&SelectSimilarColour::connected>>{
+            "connected", "connected", Written, "only what hangs together with the place, cell by cell"});
+        visit(kWayToSelect<&SelectSimilarColour::how>);
     }
 };
 
