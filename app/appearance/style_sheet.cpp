@@ -35,8 +35,8 @@ QListView::item:hover { background: <window>; }
 QListView::item:selected { background: <chosen>; color: <chosen_text>; }
 QTreeView { padding: 2px 0px; outline: none; }
 QFrame#command_palette { background: <window>; border: 1px solid <line>; }
-#command_palette QLineEdit, #keys_dialog QLineEdit { background: <field>; border: 1px solid <line>; border-radius: 4px; padding: 5px 8px; }
-#command_palette QLineEdit:focus, #keys_dialog QLineEdit:focus { border-color: <accent>; }
+#command_palette QLineEdit, #keys_dialog QLineEdit, QLineEdit#brush_search { background: <field>; border: 1px solid <line>; border-radius: 4px; padding: 5px 8px; }
+#command_palette QLineEdit:focus, #keys_dialog QLineEdit:focus, QLineEdit#brush_search:focus { border-color: <accent>; }
 #command_palette QListView { border: none; background: transparent; }
 #keys_dialog QTreeView::item:hover { background: <window>; }
 #keys_dialog QTreeView::item:selected { background: <chosen>; color: <chosen_text>; }

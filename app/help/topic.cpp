@@ -13,6 +13,7 @@ constexpr Topic kTopics[] = {
     {"pastoso::start::StartPage", "README#the-first-minutes"},
     {"pastoso::view::CanvasView", "brushes"},
     {"pastoso::panels::BrushPanel", "brushes"},
+    {"pastoso::panels::BrushEditor", "brushes#the-brush-editor"},
     {"pastoso::panels::LoadPanel", "brushes#what-the-brush-holds"},
     {"pastoso::panels::CurvesPanel", "brushes#how-it-responds-to-the-hand"},
     {"pastoso::panels::PaintPanel", "paint#tubes-and-colours"},

@@ -46,6 +46,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     parts.preferences.recall(preferences);
     parts.pens.recall();
     parts.popup.recall();
+    parts.brush_shelf.recall();
     studio_.easel().set_up();
     studio_.show_hand();
     studio_.show_published();
@@ -68,6 +69,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     parts_->paints.remember();
     parts_->memory.remember();
     parts_->popup.remember();
+    parts_->brush_shelf.remember();
     studio_.session().discard_journal();
 }
 

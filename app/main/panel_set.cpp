@@ -118,6 +118,8 @@ panels::BrushPanel* make_brush_panel(const commands::CommandRegistry& commands) 
         own_actions.push_back(commands.action(command));
         own_actions.back()->setIconText(words);
     };
+    add_own(Command::BrushEditor, QObject::tr("Edit"));
+    add_own(Command::FavouriteBrush, QObject::tr("Favourite"));
     add_own(Command::SaveBrush, QObject::tr("Save"));
     add_own(Command::RenameBrush, QObject::tr("Rename"));
     add_own(Command::DeleteBrush, QObject::tr("Delete"));
@@ -129,8 +131,9 @@ void add_middle(Studio& studio, const PanelSet& panels) {
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(10, 8, 10, 8);
     column->setSpacing(12);
-    column->addWidget(panels.brushes, 1);
-    column->addWidget(panels.paints, 1);
+    // Tools have more controls beside their list than paints have.
+    column->addWidget(panels.brushes, 3);
+    column->addWidget(panels.paints, 2);
     column->addWidget(panels.stand);
     QScrollArea* scrolled = panels::scrolled(side);
     scrolled->setFixedWidth(kPanelWidth);

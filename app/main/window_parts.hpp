@@ -35,7 +35,10 @@
 #include "main/paint/swatches.hpp"
 #include "main/paint/well_commands.hpp"
 #include "main/panel_set.hpp"
+#include "main/pen/brush_bundles.hpp"
+#include "main/pen/brush_editing.hpp"
 #include "main/pen/brush_jar.hpp"
+#include "main/pen/brush_shelving.hpp"
 #include "main/pen/guide_commands.hpp"
 #include "main/pen/hand_controls.hpp"
 #include "main/pen/pen_commands.hpp"
@@ -67,6 +70,9 @@ struct WindowParts {
     PaintTime time;
     KeepingUp keeping_up;
     BrushJar brushes;
+    BrushEditing brush_editing;
+    BrushShelving brush_shelf;
+    BrushBundles brush_bundles;
     GuideCommands guides;
     LayerTransform transform;
     UndoCommands undo;

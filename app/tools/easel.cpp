@@ -114,7 +114,12 @@ void Easel::do_with_brushes(const document::Action& action) {
 }
 
 void Easel::change_brush(const brush::Preset& preset) {
+    change_brush(preset, hand_.brush_width_mm);
+}
+
+void Easel::change_brush(const brush::Preset& preset, double width_mm) {
     keep_preset(hand_, preset);
+    hand_.brush_width_mm = std::clamp(width_mm, kSmallestBrush_mm, kLargestBrush_mm);
     brush_changed_ = true;
 }
 

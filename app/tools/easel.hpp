@@ -64,8 +64,9 @@ class Easel {
     void swap_brushes();
 
     /// Changes what the brush in hand is like, from the next stroke on, which starts with it freshly
-    /// dipped.
+    /// dipped; as wide as it is held, or as that width.
     void change_brush(const brush::Preset& preset);
+    void change_brush(const brush::Preset& preset, double width_mm);
 
     void choose_paint(const document::PaintRecipe& paint);  ///< cleans the brush and dips it
     void swap_paints();                                     ///< the second becomes the first

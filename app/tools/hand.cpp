@@ -62,6 +62,10 @@ brush::Preset preset_in_hand(const Hand& hand) {
     return hand.own_preset ? *hand.own_preset : brush::find_preset(hand.brush);
 }
 
+brush::Preset sized_preset_in_hand(const Hand& hand) {
+    return brush::resized(preset_in_hand(hand), hand.brush_width_mm);
+}
+
 document::LoadPaint load_of(const Hand& hand) {
     document::LoadPaint load;
     load.paint = hand.paint;

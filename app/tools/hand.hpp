@@ -53,6 +53,9 @@ struct Hand {
 /// The brush in hand, as wide as its preset says.
 brush::Preset preset_in_hand(const Hand& hand);
 
+/// The same as wide as it is held.
+brush::Preset sized_preset_in_hand(const Hand& hand);
+
 /// The action that takes that brush.
 document::TakeBrush taken_of(const Hand& hand, std::uint32_t seed = 1);
 

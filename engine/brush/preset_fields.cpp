@@ -1,5 +1,7 @@
 #include "brush/preset_fields.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace pastoso::brush {
@@ -139,6 +141,22 @@ constexpr PresetField kFields[] = {
 
 std::span<const PresetField> preset_fields() {
     return kFields;
+}
+
+Preset with_number(Preset preset, const PresetField& field, double value) {
+    const double within = std::clamp(value, field.low, field.high);
+    field.set(preset, field.whole ? std::round(within) : within);
+    const auto is = [&](std::string_view section, std::string_view key) {
+        return field.section == section && field.key == key;
+    };
+    TipPreset& tip = preset.tip;
+    if (is("tip", "point")) tip.length_mm = std::max(tip.length_mm, tip.point_mm);
+    tip.point_mm = std::min(tip.point_mm, tip.length_mm);
+    DropletPreset& drops = preset.droplets;
+    if (is("droplets", "rate"))
+        drops.drop_mm3 = std::max(drops.drop_mm3, drops.rate_mm3_s / kMostDrops_per_s);
+    drops.rate_mm3_s = std::min(drops.rate_mm3_s, kMostDrops_per_s * drops.drop_mm3);
+    return preset;
 }
 
 bool applies_to(const PresetField& field, ToolKind kind) {

@@ -27,6 +27,14 @@ std::span<const PresetField> preset_fields();
 /// Whether tools of this kind have that field; the others have not.
 bool applies_to(const PresetField& field, ToolKind kind);
 
+/// The preset with that number changed, within its range, and whole where the field is. Others that
+/// would contradict it go along: a point is no longer than the hairs, and drops are large enough for
+/// what falls in a second.
+Preset with_number(Preset preset, const PresetField& field, double value);
+
+/// More drops than a picture shows would only take time.
+inline constexpr double kMostDrops_per_s = 1e5;
+
 /// The sections that hold numbers, in the order of the file.
 inline constexpr std::string_view kPresetSections[] = {"tip",    "flex",     "paint", "exchange",
                                                        "stroke", "droplets", "air"};

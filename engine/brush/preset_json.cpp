@@ -160,9 +160,7 @@ void read_numbers(const Section& root, std::string_view section_name, int versio
     }
 }
 
-/// More drops than a picture shows would only take time.
 void check_drop_count(const Section& root, const DropletPreset& droplets) {
-    constexpr double kMostDrops_per_s = 1e5;
     if (droplets.rate_mm3_s <= kMostDrops_per_s * droplets.drop_mm3) return;
     const Section section = root.section("droplets");
     section.fail(section.path_of("drop"),

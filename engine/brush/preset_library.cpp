@@ -52,6 +52,18 @@ void remove_file(const std::filesystem::path& file) {
         throw core::InputError("%1: cannot be removed (%2).", file.string(), failure.message());
 }
 
+/// Its own name, or the first that is free of those with a number behind it.
+Preset with_free_name(const Preset& preset, const PresetLibrary& library,
+                      const std::filesystem::path& own_folder) {
+    const auto is_free = [&](const std::string& name) {
+        return find_entry(library, name) == nullptr && !core::is_there(preset_file(name, own_folder));
+    };
+    Preset named = preset;
+    for (int number = 2; !is_free(named.name); ++number)
+        named.name = preset.name + " " + std::to_string(number);
+    return named;
+}
+
 }  // namespace
 
 PresetLibrary load_presets(const std::filesystem::path& own_folder) {
@@ -89,6 +101,26 @@ std::filesystem::path save_preset(const Preset& preset, const std::filesystem::p
     const std::filesystem::path file = preset_file(preset.name, own_folder);
     core::write_text_file(file, preset_to_json(preset));
     return file;
+}
+
+std::vector<std::string> add_presets(const PresetLibrary& library, const std::vector<Preset>& presets,
+                                     const std::filesystem::path& own_folder) {
+    std::vector<std::string> added;
+    std::vector<std::filesystem::path> written;
+    try {
+        for (const Preset& preset : presets) {
+            const Entry* same = find_entry(library, preset.name);
+            if (same != nullptr && same->preset == preset) continue;
+            const Preset named = with_free_name(preset, library, own_folder);
+            written.push_back(save_preset(named, own_folder));
+            added.push_back(named.name);
+        }
+    } catch (const core::InputError&) {
+        for (const auto& file : written)
+            remove_file(file);
+        throw;
+    }
+    return added;
 }
 
 void rename_preset(const PresetLibrary& library, const Entry& own, const std::string& new_name) {

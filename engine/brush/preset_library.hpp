@@ -40,6 +40,13 @@ std::filesystem::path preset_file(std::string_view name, const std::filesystem::
 /// file. Throws InputError when it cannot be written.
 std::filesystem::path save_preset(const Preset& preset, const std::filesystem::path& own_folder);
 
+/// Adds presets to the painter's own, all or none. One that is there already, the same to the number, is
+/// left out; one whose name or file another one has gets a number behind its name. No two of `presets`
+/// have one name. Returns the names under which they were added. Throws InputError when one cannot be
+/// written.
+std::vector<std::string> add_presets(const PresetLibrary& library, const std::vector<Preset>& presets,
+                                     const std::filesystem::path& own_folder);
+
 /// Gives a preset of the painter's another name, and the file of that name. Throws InputError, and
 /// leaves all as it was, when the name is empty or taken, by a preset or by a file, and when the file
 /// cannot be written.

@@ -50,6 +50,7 @@ PenSample along(const Wave& wave, const SampleBoard& board, double share) {
             .rotation_deg = 90.0 + core::degrees(std::atan(slope))};
 }
 
+/// A long one takes somewhat longer.
 void paint_wave(SampleBoard& board, const Wave& wave = {}) {
     const double seconds = std::clamp(0.29 / board.aspect(), 0.8, 1.2);
     board.move(seconds, [&](double share) { return along(wave, board, share); });
@@ -69,12 +70,12 @@ void dry_ground(SampleBoard& board) {
 }
 
 void dab(SampleBoard& board) {
-    constexpr double kPlaces = 5.0;
-    for (double place = 0.5; place < kPlaces; ++place) {
-        const double side = std::remainder(place - 0.5, 2.0) == 0.0 ? -1.0 : 1.0;
-        board.touch({.x_mm = 0.04 + 0.92 * place / kPlaces,
-                     .y_mm = 0.5 + 0.16 * side,
-                     .pressure = 0.2 + 0.7 * place / kPlaces});
+    constexpr int kDabs = 5;
+    for (int i = 0; i < kDabs; ++i) {
+        const double share = (i + 0.5) / kDabs;
+        board.touch({.x_mm = 0.04 + 0.92 * share,
+                     .y_mm = i % 2 == 0 ? 0.34 : 0.66,
+                     .pressure = 0.2 + 0.7 * share});
     }
 }
 
@@ -119,7 +120,7 @@ void paint(SampleBoard& board, ToolMark mark) {
         case ToolMark::Stream:
             return paint_wave(board);
         case ToolMark::Lines:
-            return paint_wave(board, {.periods = 2.5, .height = 0.26, .pressure = 0.45});
+            return paint_wave(board, {.periods = 1.5, .height = 0.22, .pressure = 0.3});
         case ToolMark::Dabs:
             return dab(board);
         case ToolMark::Drops:
@@ -139,7 +140,9 @@ ToolMark mark_of(const Preset& preset) {
 }
 
 double mark_width_mm(const Preset& preset) {
-    constexpr double kPooled_s = 0.1;  // what falls on one place while the tool passes
+    constexpr double kPooled_s = 0.1;    // what falls on one place while the tool passes
+    constexpr double kLineWidths = 2.5;  // of what a thin line swings over
+    if (mark_of(preset) == ToolMark::Lines) return kLineWidths * preset.tip.width_mm;
     if (preset.kind != ToolKind::Droplets) return preset.tip.width_mm;
     const brush::DropletPreset& drops = preset.droplets;
     const double pooled_mm3 = std::max(drops.touch_mm3, kPooled_s * drops.rate_mm3_s);

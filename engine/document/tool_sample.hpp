@@ -25,7 +25,7 @@ enum class ToolMark {
 /// lines.
 ToolMark mark_of(const brush::Preset& preset);
 
-/// How wide the tool's mark is, about: its tip, or what drops spread to.
+/// How wide the tool's mark is, about: its tip, what a line swings over, or what drops spread to.
 double mark_width_mm(const brush::Preset& preset);
 
 /// How wide a board of that form is for a mark to fill two thirds of its height and a quarter of its

@@ -3,6 +3,7 @@
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
 #include "document/actions/actions.hpp"
+#include "main/window_parts.hpp"
 #include "panels/paint/load_bar.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "panels/pen/curve_editor.hpp"
@@ -420,6 +421,128 @@ TEST_F(BrushesWindow, WhileARecordingIsPlayedTheBrushIsInAnotherHand) {
     stroke();
     session().wait_until_applied();
     EXPECT_EQ(strokes(), 3);
+}
+
+// ---- the list
+
+class BrushLibrary : public BrushesWindow {
+  protected:
+    void write_files() override { write("mine.json", own_preset("Mine")); }
+
+    std::vector<std::string> names() {
+        std::vector<std::string> tools;
+        for (int row = 0; row < list().count(); ++row)
+            if (list().item(row)->flags() != Qt::NoItemFlags)
+                tools.push_back(list().item(row)->text().toStdString());
+        return tools;
+    }
+    void choose_folder(const QString& words) {
+        auto* box = window().findChild<QComboBox*>(QStringLiteral("brush_folder"));
+        const int index = box->findText(words);
+        ASSERT_GE(index, 0) << words.toStdString();
+        box->setCurrentIndex(index);
+        Q_EMIT box->activated(index);
+    }
+    QLineEdit& search() { return *window().findChild<QLineEdit*>(QStringLiteral("brush_search")); }
+    QAction& favourite() { return *action(Command::FavouriteBrush); }
+};
+
+TEST_F(BrushLibrary, IsSearchedByAFewLetters) {
+    const std::size_t all = names().size();
+    search().setText(QStringLiteral("knife"));
+    for (const std::string& name : names())
+        EXPECT_THAT(name, HasSubstr("knife"));
+    EXPECT_EQ(names().size(), 4U);
+    EXPECT_EQ(list().currentItem(), nullptr) << "what is in hand is not among them";
+    QTest::keyClick(&search(), Qt::Key_Return);
+    EXPECT_EQ(hand().brush, names().front());
+    EXPECT_EQ(list().currentItem()->text().toStdString(), names().front());
+    search().clear();
+    EXPECT_EQ(names().size(), all);
+    EXPECT_EQ(list().currentItem()->text().toStdString(), hand().brush);
+}
+
+TEST_F(BrushLibrary, AFamilyIsAFolderAndKeysStayInIt) {
+    choose_folder(QStringLiteral("Knives and combs"));
+    click(QStringLiteral("Comb 25"));
+    for (int i = 0; i < 20; ++i) {
+        give(Command::NextBrush);
+        EXPECT_THAT(names(), testing::Contains(hand().brush));
+    }
+    choose_folder(QStringLiteral("My own"));
+    EXPECT_EQ(names(), std::vector<std::string>{"Mine"});
+}
+
+TEST_F(BrushLibrary, FavouritesAreKeptAndFollowTheirNames) {
+    click(QStringLiteral("Mine"));
+    favourite().trigger();
+    click(QStringLiteral("Fan 26"));
+    EXPECT_FALSE(favourite().isChecked());
+    favourite().trigger();
+    choose_folder(QStringLiteral("Favourites"));
+    EXPECT_EQ(names().size(), 2U);
+    click(QStringLiteral("Mine \u2605"));
+    EXPECT_TRUE(favourite().isChecked());
+    answer_name(QStringLiteral("Yours"));
+    give(Command::RenameBrush);
+    start_again();
+    choose_folder(QStringLiteral("Favourites"));
+    ASSERT_EQ(names().size(), 2U);
+    EXPECT_NE(listed(QStringLiteral("Yours \u2605")), nullptr);
+    click(QStringLiteral("Fan 26 \u2605"));
+    favourite().trigger();
+    EXPECT_EQ(names().size(), 1U);
+}
+
+TEST_F(BrushLibrary, TheLatestAreListedFirst) {
+    click(QStringLiteral("Filbert 14"));
+    click(QStringLiteral("Fan 26"));
+    choose_folder(QStringLiteral("Recent"));
+    EXPECT_EQ(names().at(0), "Fan 26");
+    EXPECT_EQ(names().at(1), "Filbert 14");
+    click(QStringLiteral("Filbert 14"));
+    EXPECT_EQ(names().at(0), "Fan 26") << "none moves away under the pointer";
+    start_again();
+    choose_folder(QStringLiteral("Recent"));
+    EXPECT_EQ(names().at(0), hand().brush);
+    EXPECT_NE(listed(QStringLiteral("Fan 26")), nullptr);
+}
+
+TEST_F(BrushLibrary, ThumbnailsThatWerePaintedAreShownAgain) {
+    const auto has_picture = [&] {
+        const QListWidgetItem* item = listed(QStringLiteral("Flat bristle 20"));
+        return !item->data(Qt::UserRole + 2).value<QImage>().isNull();
+    };
+    wait_for(has_picture);
+    search().setText(QStringLiteral("flat"));
+    wait_for(has_picture);
+}
+
+TEST_F(BrushLibrary, ABundleComesBackWithAllItsTools) {
+    const auto bundle = home_.path() / "mine.zip";
+    parts().brush_bundles.export_to(QString::fromStdString(bundle.string()));
+    std::filesystem::remove(file("mine.json"));
+    parts().brushes.read();
+    ASSERT_EQ(listed(QStringLiteral("Mine")), nullptr);
+    parts().brush_bundles.import_from(QString::fromStdString(bundle.string()));
+    ASSERT_NE(listed(QStringLiteral("Mine")), nullptr);
+    EXPECT_EQ(core::read_text_file(file("mine.json")), own_preset("Mine"));
+    parts().brush_bundles.import_from(QString::fromStdString(bundle.string()));
+    EXPECT_THAT(told(), HasSubstr("all tools of that bundle already"));
+}
+
+TEST_F(BrushLibrary, OfABadBundleNothingIsImported) {
+    const auto bundle = home_.path() / "bad.zip";
+    core::write_text_file(bundle, "no archive");
+    const auto before = names();
+    std::string sentence;
+    when_asked<QMessageBox>([&](QMessageBox& box) {
+        sentence = box.text().toStdString();
+        box.accept();
+    });
+    parts().brush_bundles.import_from(QString::fromStdString(bundle.string()));
+    EXPECT_THAT(sentence, HasSubstr("bad.zip"));
+    EXPECT_EQ(names(), before);
 }
 
 // ---- loads

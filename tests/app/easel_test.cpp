@@ -128,6 +128,27 @@ TEST_F(EaselTest, AChangeOfToolEndsTheStrokeFirst) {
     EXPECT_THAT(posted(), ElementsAre("down", "up", "undo"));
 }
 
+TEST_F(EaselTest, AToolThatIsChangedIsTakenWithTheNextStroke) {
+    brush::Preset preset = preset_in_hand(easel_.hand());
+    const brush::Preset before = preset;
+    preset.tip.width_mm = 31.0;
+    preset.paint.film_mm = 0.4;
+    easel_.change_brush(preset, preset.tip.width_mm);
+    EXPECT_EQ(sized_preset_in_hand(easel_.hand()), preset);
+    EXPECT_THAT(posted(), ElementsAre());
+    easel_.press({});
+    easel_.release();
+    const auto taken = std::get<TakeBrush>(actions_.front());
+    EXPECT_EQ(taken.size_mm, 31.0);
+    EXPECT_EQ(brush::parse_preset(taken.definition, "posted"), preset);
+    posted();
+    easel_.change_brush(before, before.tip.width_mm);
+    easel_.press({});
+    easel_.release();
+    EXPECT_EQ(std::get<TakeBrush>(actions_.front()).definition, "");
+    EXPECT_EQ(std::get<TakeBrush>(actions_.front()).size_mm, 20.0);
+}
+
 TEST_F(EaselTest, AnotherMediumComesWithAFreshBrush) {
     easel_.use_medium("ink glaze");
     EXPECT_THAT(posted(), ElementsAre("clean", "medium", "clean", "load"));

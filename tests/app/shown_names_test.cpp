@@ -1,7 +1,7 @@
 // Whatever ships by name can be read in the painter's language.
 #include "appearance/shown_names.hpp"
 
-#include "brush/preset.hpp"
+#include "brush/preset_fields.hpp"
 #include "document/layers.hpp"
 #include "film/media_families.hpp"
 #include "pigment/palette.hpp"
@@ -21,6 +21,8 @@ std::set<std::string> names_in_files() {
     std::set<std::string> names;
     for (const brush::Preset& preset : brush::bundled_presets())
         names.insert(preset.name);
+    for (const brush::PresetField& field : brush::preset_fields())
+        names.insert(std::string(field.meaning));
     for (const pigment::Pigment& paint : pigment::bundled_palette())
         names.insert(paint.name);
     for (const film::Medium& medium : film::bundled_media())

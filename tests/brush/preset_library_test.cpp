@@ -56,6 +56,29 @@ TEST_F(PresetLibraryTest, OwnPresetTakesThePlaceOfABundledOne) {
     EXPECT_EQ(entry->preset.tip.width_mm, 33.0);
 }
 
+TEST_F(PresetLibraryTest, AddsWhatIsNewUnderAFreeName) {
+    save_preset(own("Mine"), folder.path());
+    Preset other = own("Mine");
+    other.paint.film_mm = 0.7;
+    Preset changed_flat = find_preset("flat");
+    changed_flat.paint.film_mm = 0.7;
+    const auto added =
+        add_presets(library(), {own("Mine"), find_preset("flat"), changed_flat, own("new"), own("New!")},
+                    folder.path());
+    EXPECT_THAT(added, testing::ElementsAre("Flat bristle 20 2", "new", "New! 2"));
+    EXPECT_THAT(add_presets(library(), {other}, folder.path()), testing::ElementsAre("Mine 2"));
+    EXPECT_EQ(find_entry(library(), "Mine")->preset, own("Mine"));
+    EXPECT_EQ(find_entry(library(), "Mine 2")->preset.paint.film_mm, 0.7);
+    EXPECT_EQ(find_entry(library(), "Flat bristle 20")->preset, find_preset("flat"));
+    EXPECT_TRUE(library().faults.empty());
+}
+
+TEST_F(PresetLibraryTest, AddsAllOrNone) {
+    const std::string too_long(300, 'b');  // no file has such a name
+    EXPECT_THROW(add_presets(library(), {own("A"), own(too_long)}, folder.path()), core::InputError);
+    EXPECT_EQ(find_entry(library(), "A"), nullptr);
+}
+
 TEST_F(PresetLibraryTest, TellsFaultsAndKeepsTheRest) {
     save_preset(own("Good"), folder.path());
     core::write_text_file(folder.path() / "broken.json", "{\"version\": 2, \n \"kind\": \"broom\"}");

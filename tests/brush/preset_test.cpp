@@ -5,6 +5,7 @@
 #include "core/text_file.hpp"
 #include "source_file.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -201,6 +202,54 @@ TEST(PresetFields, DefaultsLieWithinTheirRanges) {
         EXPECT_GE(field.get(preset), field.low) << field.section << '.' << field.key;
         EXPECT_LE(field.get(preset), field.high) << field.section << '.' << field.key;
     }
+}
+
+const PresetField& field_named(std::string_view section, std::string_view key) {
+    const auto fields = preset_fields();
+    return *std::find_if(fields.begin(), fields.end(), [&](const PresetField& field) {
+        return field.section == section && field.key == key;
+    });
+}
+
+TEST(WithNumber, WhateverIsAskedForCanBeReadBack) {
+    for (const char* name : {"flat", "round", "knife", "spray", "dropper", "straw 8"}) {
+        const Preset& preset = find_preset(name);
+        for (const PresetField& field : preset_fields()) {
+            if (!applies_to(field, preset.kind)) continue;
+            for (const double value :
+                 {-1e12, field.low, 0.3 * field.low + 0.7 * field.high, field.high, 1e12}) {
+                const Preset changed = with_number(preset, field, value);
+                EXPECT_EQ(parse_preset(preset_to_json(changed), "changed"), changed)
+                    << name << ' ' << field.key << ' ' << value;
+            }
+        }
+    }
+}
+
+TEST(WithNumber, ChangesThatNumberAloneAndKeepsItInItsRange) {
+    const Preset& flat = find_preset("flat");
+    Preset wanted = flat;
+    wanted.paint.film_mm = 0.4;
+    EXPECT_EQ(with_number(flat, field_named("paint", "film"), 0.4), wanted);
+    EXPECT_EQ(with_number(flat, field_named("paint", "film"), 40.0).paint.film_mm, 3.0);
+    EXPECT_EQ(with_number(flat, field_named("tip", "bristles"), 99.6).tip.bristles, 100);
+}
+
+TEST(WithNumber, APointIsNeverLongerThanTheHairs) {
+    Preset preset = find_preset("round");
+    preset = with_number(preset, field_named("tip", "point"), 40.0);
+    EXPECT_EQ(preset.tip.length_mm, 40.0);
+    preset = with_number(preset, field_named("tip", "length"), 12.0);
+    EXPECT_EQ(preset.tip.point_mm, 12.0);
+}
+
+TEST(WithNumber, NoMoreDropsFallThanAPictureShows) {
+    Preset preset = find_preset("spray");
+    preset = with_number(preset, field_named("droplets", "rate"), 10000.0);
+    EXPECT_EQ(preset.droplets.rate_mm3_s, 10000.0);
+    EXPECT_EQ(preset.droplets.drop_mm3, 0.1);
+    preset = with_number(preset, field_named("droplets", "drop"), 1e-3);
+    EXPECT_EQ(preset.droplets.rate_mm3_s, 100.0);
 }
 
 TEST(Resized, ScalesTheTipInProportion) {

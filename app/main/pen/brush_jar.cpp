@@ -50,10 +50,6 @@ Family family_of(const brush::Preset& preset) {
     }
 }
 
-std::filesystem::path brush_folder() {
-    return core::user_data_path("brushes");
-}
-
 /// Tools by family, then what cannot be taken.
 std::vector<panels::BrushEntry> entries_of(const brush::PresetLibrary& library) {
     std::vector<brush::PresetLibrary::Entry> tools = library.entries;
@@ -72,6 +68,10 @@ std::vector<panels::BrushEntry> entries_of(const brush::PresetLibrary& library) 
 }
 
 }  // namespace
+
+std::filesystem::path BrushJar::folder() {
+    return core::user_data_path("brushes");
+}
 
 BrushJar::BrushJar(Studio& studio, panels::BrushPanel* brushes, panels::CurvesPanel* curves)
     : studio_(studio), brushes_(brushes), curves_(curves) {
@@ -101,7 +101,7 @@ BrushJar::BrushJar(Studio& studio, panels::BrushPanel* brushes, panels::CurvesPa
 /// For a painter who has just made the folder that is watched from now on.
 bool BrushJar::eventFilter(QObject* window, QEvent* event) {
     if (event->type() == QEvent::ActivationChange && studio_.window().isActiveWindow() &&
-        files_.directories().isEmpty() && !brush_folder().empty() && core::is_there(brush_folder())) {
+        files_.directories().isEmpty() && !folder().empty() && core::is_there(folder())) {
         reread();
     }
     return QObject::eventFilter(window, event);
@@ -119,7 +119,7 @@ void BrushJar::make_thumbnails() {
                                .copy();
             image.setDevicePixelRatio(pixels);
             QMetaObject::invokeMethod(panel, [panel, name = QString::fromStdString(name), image] {
-                panel->list().set_thumbnail(name, image);
+                panel->show_thumbnail(name, image);
             });
         },
         studio_.teller());
@@ -140,10 +140,9 @@ void BrushJar::show(const tools::Hand& hand) {
 // ---- the list
 
 void BrushJar::read() {
-    library_ = brush::load_presets(brush_folder());
+    library_ = brush::load_presets(folder());
     QStringList watched;
-    if (core::is_there(brush_folder()))
-        watched += QString::fromStdString(brush_folder().string());
+    if (core::is_there(folder())) watched += QString::fromStdString(folder().string());
     for (const auto& entry : library_.entries)
         if (entry.own) watched += QString::fromStdString(entry.file.string());
     for (const auto& fault : library_.faults)
@@ -185,7 +184,6 @@ void BrushJar::take(const QString& name) {
     if (entry != nullptr) take_brush(name, entry->preset.tip.width_mm);
 }
 
-/// The tool in hand as it is kept, or itself where it is kept nowhere.
 brush::Preset BrushJar::kept_brush() const {
     const auto* entry = brush::find_entry(library_, studio_.easel().hand().brush);
     return entry != nullptr ? entry->preset : tools::preset_in_hand(studio_.easel().hand());
@@ -228,16 +226,16 @@ void BrushJar::save_brush() {
     const QString old_name = QString::fromStdString(hand.brush);
     QString name = own_brush_in_hand() ? old_name : tr("My %1").arg(appearance::shown_name(old_name));
     if (!ask_name(tr("Save as my own"), name)) return;
-    brush::Preset preset = brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm);
+    brush::Preset preset = tools::sized_preset_in_hand(hand);
     preset.name = name.toStdString();
     const auto* same = brush::find_entry(library_, preset.name);
-    const bool in_the_way = (same != nullptr && same->own) ||
-                            core::is_there(brush::preset_file(preset.name, brush_folder()));
+    const bool in_the_way =
+        (same != nullptr && same->own) || core::is_there(brush::preset_file(preset.name, folder()));
     if (in_the_way &&
         !confirmed(tr("There is already a tool of your own named \"%1\".").arg(name), tr("Overwrite")))
         return;
     studio_.attempt([&] {
-        const std::filesystem::path file = brush::save_preset(preset, brush_folder());
+        const std::filesystem::path file = brush::save_preset(preset, folder());
         if (same != nullptr && same->own && same->file != file) brush::delete_preset(*same);
         studio_.easel().change_brush(preset);
         read();
@@ -252,7 +250,9 @@ void BrushJar::rename_brush() {
     QString name = QString::fromStdString(entry->preset.name);
     if (!ask_name(tr("Rename"), name)) return;
     studio_.attempt([&] {
+        const std::string before = entry->preset.name;
         brush::rename_preset(library_, *entry, name.toStdString());
+        Q_EMIT renamed(before, name.toStdString());
         brush::Preset preset = tools::preset_in_hand(studio_.easel().hand());
         preset.name = name.toStdString();
         studio_.easel().change_brush(preset);

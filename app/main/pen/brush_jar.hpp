@@ -5,7 +5,9 @@
 #include "main/studio.hpp"
 #include "session/thumbnail_painter.hpp"
 
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include <QFileSystemWatcher>
 #include <QObject>
@@ -23,13 +25,22 @@ class BrushJar : public QObject {
   public:
     BrushJar(Studio& studio, panels::BrushPanel* brushes, panels::CurvesPanel* curves);
 
+    /// Where the painter's own are; empty where there is no home.
+    static std::filesystem::path folder();
+
     /// Reads the files and lists what can be taken.
     void read();
 
     const brush::PresetLibrary& library() const { return library_; }
 
+    /// The tool in hand as it is kept, or itself where it is kept nowhere.
+    brush::Preset kept_brush() const;
+
     /// As a click in the list does. Nothing where there is no such tool.
     void take(const QString& name);
+
+  Q_SIGNALS:
+    void renamed(const std::string& before, const std::string& now);
 
   protected:
     bool eventFilter(QObject* window, QEvent* event) override;
@@ -41,7 +52,6 @@ class BrushJar : public QObject {
     void show(const tools::Hand& hand);
     void take_brush(const QString& name, double width_mm);
     bool own_brush_in_hand() const;
-    brush::Preset kept_brush() const;
     void save_brush();
     void rename_brush();
     void delete_brush();

@@ -19,10 +19,6 @@ namespace {
 
 using commands::Command;
 
-brush::Preset tool_in_hand(const tools::Hand& hand) {
-    return brush::resized(tools::preset_in_hand(hand), hand.brush_width_mm);
-}
-
 }  // namespace
 
 HandControls::HandControls(Studio& studio, const PanelSet& panels) : studio_(studio), panels_(panels) {
@@ -148,7 +144,7 @@ void HandControls::show(const tools::Hand& hand) {
     for (const auto command : {Command::ReloadBrush, Command::TopUpBrush})
         commands.action(command)->setEnabled(dips);
     for (interactions::OnCanvas* on : studio_.on_views())
-        on->paint.set_tool(tool_in_hand(hand));
+        on->paint.set_tool(tools::sized_preset_in_hand(hand));
 }
 
 }  // namespace pastoso::main

@@ -5,12 +5,12 @@
 #include "panels/paint/medium_rows.hpp"
 #include "panels/parts/feel_row.hpp"
 #include "panels/parts/fold.hpp"
+#include "panels/parts/labels.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/value_row.hpp"
 #include "tools/medium_feel.hpp"
 #include "tools/medium_numbers.hpp"
 
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -18,10 +18,6 @@
 
 namespace pastoso::panels {
 namespace {
-
-QString words_of(const char* text) {
-    return QCoreApplication::translate("pastoso::panels", text);
-}
 
 constexpr int kRest_ms = 250;
 
@@ -49,7 +45,7 @@ constexpr FeelWords kFeels[] = {
 ValueRange shown_range(const MediumRow& number) {
     const film::MediumNumber& limits = tools::number_of(number.member);
     return {number.scale * limits.least, number.scale * limits.most, number.decimals,
-            words_of(number.unit), number.logarithmic};
+            translated(number.unit), number.logarithmic};
 }
 
 }  // namespace
@@ -107,14 +103,14 @@ QWidget* MediumPanel::numbers(const MediumSection& part) {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
     for (const MediumRow& number : part.rows) {
-        auto* row = new ValueRow(grid, QLatin1String(number.name), words_of(number.words),
-                                 words_of(number.hint), shown_range(number));
+        auto* row = new ValueRow(grid, QLatin1String(number.name), translated(number.words),
+                                 translated(number.hint), shown_range(number));
         connect(row, &ValueRow::chosen, this, [this, &number](double value) {
             change(tools::with_number(medium_, number.member, value / number.scale));
         });
         shown_.push_back({&number, row});
     }
-    section(widget, words_of(part.heading))->addWidget(grid_widget);
+    section(widget, translated(part.heading))->addWidget(grid_widget);
     return widget;
 }
 
@@ -125,8 +121,8 @@ QWidget* MediumPanel::feel_section() {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
     for (const FeelWords& feel : kFeels) {
-        auto* row = new FeelRow(grid, QLatin1String(feel.name), words_of(feel.from), words_of(feel.to),
-                                words_of(feel.hint));
+        auto* row = new FeelRow(grid, QLatin1String(feel.name), translated(feel.from),
+                                translated(feel.to), translated(feel.hint));
         connect(row, &FeelRow::chosen, this,
                 [this, &feel](double place) { change(tools::with_place(medium_, feel.feel, place)); });
         feels_.push_back(row);

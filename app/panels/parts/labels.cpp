@@ -1,5 +1,6 @@
 #include "panels/parts/labels.hpp"
 
+#include <QCoreApplication>
 #include <QLabel>
 
 namespace pastoso::panels {
@@ -15,6 +16,10 @@ QLabel* note(const QString& words) {
     label->setObjectName(QStringLiteral("reading"));
     label->setWordWrap(true);
     return label;
+}
+
+QString translated(const char* words) {
+    return QCoreApplication::translate("pastoso::panels", words);
 }
 
 }  // namespace pastoso::panels

@@ -46,7 +46,7 @@ void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
 
 void BrushList::add_entry(const BrushEntry& entry) {
     const QString shown = shown_name(entry);
-    auto* item = new QListWidgetItem(shown, this);
+    auto* item = new QListWidgetItem(entry.favourite ? shown + QStringLiteral(" \u2605") : shown, this);
     item->setData(kEntryRole, static_cast<int>(items_.size()));
     item->setData(kNameRole, entry.name);
     item->setToolTip(!entry.fault.isEmpty() ? entry.fault
@@ -72,7 +72,7 @@ void BrushList::add_heading(const QString& family) {
 }
 
 void BrushList::show_entry(int entry) {
-    if (entry < 0 || entry >= static_cast<int>(items_.size())) return;
+    if (entry < 0 || entry >= static_cast<int>(items_.size())) return setCurrentItem(nullptr);
     setCurrentItem(items_[static_cast<std::size_t>(entry)]);
     scrollToItem(currentItem());
 }

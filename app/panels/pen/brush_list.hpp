@@ -15,6 +15,7 @@ struct BrushEntry {
     double width_mm = 10.0;  ///< the tool's own
     bool own = false;        ///< the painter's
     QString fault{};         ///< why it cannot be taken; empty where it can
+    bool favourite = false;  ///< has a star
     friend bool operator==(const BrushEntry&, const BrushEntry&) = default;
 };
 
@@ -32,7 +33,8 @@ class BrushList : public ChoiceList {
     /// Lists these in place of what was there; their thumbnails are asked for anew.
     void show_entries(const std::vector<BrushEntry>& entries);
 
-    /// Marks the entry of that number, without a signal, and brings it into view.
+    /// Marks the entry of that number, without a signal, and brings it into view; none where there is no
+    /// such entry.
     void show_entry(int entry);
     /// The entry that is marked, -1 if none.
     int current_entry() const;

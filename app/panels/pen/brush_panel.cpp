@@ -36,8 +36,8 @@ double width_from_slider(int position) {
     return std::round(2.0 * width) / 2.0;
 }
 
-/// Three tools on the lowest of screens; higher ones show more of them.
-constexpr int kListHeight = 112;
+/// Two tools on the lowest of screens; higher ones show more of them.
+constexpr int kListHeight = 78;
 
 /// Places of the strength's slider.
 constexpr int kSmoothingStep_ms = 5;
@@ -48,17 +48,21 @@ using tools::SteadyMode;
 }  // namespace
 
 BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent)
-    : QWidget(parent), list_(new BrushList) {
+    : QWidget(parent), finder_(new BrushFinder), list_(new BrushList) {
     list_->setMinimumHeight(kListHeight);
     list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
     connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
-    connect(list_, &BrushList::thumbnail_wanted, this, [this](int entry) {
-        Q_EMIT thumbnail_wanted(brushes_[static_cast<std::size_t>(entry)].name);
+    connect(list_, &BrushList::thumbnail_wanted, this, &BrushPanel::want_thumbnail);
+    connect(finder_, &BrushFinder::changed, this, &BrushPanel::list_chosen);
+    connect(finder_, &BrushFinder::first_wanted, this, [this] {
+        list_->show_entry(-1);
+        take_next(1);
     });
     std::vector<QToolButton*> own_buttons;
     for (QAction* action : own_actions)
         own_buttons.push_back(small_button(action));
     auto* column = section(this, tr("Brush"), own_buttons);
+    column->addWidget(finder_);
     column->addWidget(list_, 1);
     column->addWidget(make_width_row());
     column->addWidget(make_stabiliser_rows());
@@ -66,7 +70,41 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
 
 void BrushPanel::show_brushes(std::vector<BrushEntry> brushes) {
     brushes_ = std::move(brushes);
-    list_->show_entries(brushes_);
+    asked_.clear();
+    thumbnails_.clear();
+    finder_->show_families(brushes_);
+    list_chosen();
+}
+
+void BrushPanel::show_shelf(const tools::BrushShelf& shelf) {
+    const bool same_stars = shelf.favourites == shelf_.favourites;
+    shelf_ = shelf;
+    if (!same_stars) list_chosen();
+}
+
+void BrushPanel::list_chosen() {
+    listed_ = chosen_brushes(brushes_, shelf_, finder_->choice());
+    list_->show_entries(listed_);
+    mark_in_hand();
+}
+
+void BrushPanel::mark_in_hand() {
+    const auto found = std::find_if(listed_.begin(), listed_.end(),
+                                    [this](const BrushEntry& brush) { return brush.name == in_hand_; });
+    list_->show_entry(static_cast<int>(found - listed_.begin()));
+}
+
+void BrushPanel::show_thumbnail(const QString& name, const QImage& image) {
+    thumbnails_[name] = image;
+    list_->set_thumbnail(name, image);
+}
+
+/// One that was painted before is shown again.
+void BrushPanel::want_thumbnail(int entry) {
+    const QString& name = listed_[static_cast<std::size_t>(entry)].name;
+    const auto known = thumbnails_.find(name);
+    if (known != thumbnails_.end()) list_->set_thumbnail(name, known->second);
+    if (asked_.insert(name).second) Q_EMIT thumbnail_wanted(name);
 }
 
 QWidget* BrushPanel::make_width_row() {
@@ -179,17 +217,16 @@ void BrushPanel::show_brush(const QString& name, double width_mm) {
     const QSignalBlocker no_width_signal(width_);
     slider_->setValue(slider_from_width(width_mm));
     width_->setValue(width_mm);
-    const auto found = std::find_if(brushes_.begin(), brushes_.end(),
-                                    [&](const BrushEntry& brush) { return brush.name == name; });
-    list_->show_entry(static_cast<int>(found - brushes_.begin()));
+    in_hand_ = name;
+    mark_in_hand();
 }
 
 void BrushPanel::take_next(int places) {
-    const int count = static_cast<int>(brushes_.size());
+    const int count = static_cast<int>(listed_.size());
     const int step = places < 0 ? -1 : 1;
     int entry = list_->current_entry() + places;
     for (int tried = 0; tried < count; ++tried, entry += step) {
-        const BrushEntry& brush = brushes_[static_cast<std::size_t>((entry % count + count) % count)];
+        const BrushEntry& brush = listed_[static_cast<std::size_t>((entry % count + count) % count)];
         if (brush.fault.isEmpty()) return void(Q_EMIT brush_taken(brush.name, brush.width_mm));
         if (places == 0) return void(Q_EMIT faulty_clicked(brush.fault));
     }

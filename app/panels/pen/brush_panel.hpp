@@ -1,11 +1,15 @@
 // The jar of brushes, and how wide the one in hand is.
 #pragma once
 
+#include "panels/pen/brush_finder.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "tools/steadying.hpp"
 
+#include <map>
+#include <set>
 #include <vector>
 
+#include <QImage>
 #include <QString>
 #include <QWidget>
 
@@ -20,11 +24,17 @@ namespace pastoso::panels {
 class BrushPanel : public QWidget {
     Q_OBJECT
   public:
-    /// `own_actions` become buttons: save, rename, delete.
+    /// `own_actions` become buttons: edit, favourite, save, rename, delete.
     explicit BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent = nullptr);
 
-    /// Lists these in place of what was there.
+    /// Lists these in place of what was there; their thumbnails are asked for anew.
     void show_brushes(std::vector<BrushEntry> brushes);
+
+    /// Marks the favourites. Which tools were used last counts when they are listed the next time, so
+    /// that none moves away under the pointer.
+    void show_shelf(const tools::BrushShelf& shelf);
+
+    void show_thumbnail(const QString& name, const QImage& image);
 
     /// Shows what is in hand, without a signal.
     void show_brush(const QString& name, double width_mm);
@@ -35,6 +45,7 @@ class BrushPanel : public QWidget {
     const tools::Steadying& steadying() const { return steadying_; }
 
     BrushList& list() { return *list_; }
+    /// All, whichever are listed.
     const std::vector<BrushEntry>& brushes() const { return brushes_; }
 
     /// As a click on it does.
@@ -51,12 +62,20 @@ class BrushPanel : public QWidget {
     void stabiliser_chosen(const brush::Stabiliser& stabiliser);
 
   private:
+    void list_chosen();
+    void mark_in_hand();
+    void want_thumbnail(int entry);
     QWidget* make_width_row();
     QWidget* make_stabiliser_rows();
     void take_strength(int place);
     void write_steadying();
 
-    std::vector<BrushEntry> brushes_;
+    std::vector<BrushEntry> brushes_, listed_;
+    tools::BrushShelf shelf_;
+    QString in_hand_;
+    std::set<QString> asked_;               ///< tools whose thumbnails were asked for
+    std::map<QString, QImage> thumbnails_;  ///< those that came
+    BrushFinder* finder_ = nullptr;
     BrushList* list_ = nullptr;
     QSlider* slider_ = nullptr;
     QDoubleSpinBox* width_ = nullptr;

@@ -1,0 +1,37 @@
+// The painter's favourite tools and those used last, found again at the next start.
+#pragma once
+
+#include "main/program/remembered_file.hpp"
+#include "main/studio.hpp"
+#include "tools/brush_shelf.hpp"
+
+#include <QObject>
+
+namespace pastoso::panels {
+class BrushPanel;
+}
+
+namespace pastoso::main {
+
+class BrushJar;
+
+class BrushShelving : public QObject {
+    Q_OBJECT
+  public:
+    BrushShelving(Studio& studio, const BrushJar& jar, panels::BrushPanel* brushes);
+
+    /// A file that cannot be read is told, and left as it is.
+    void recall();
+    void remember();
+
+  private:
+    void note(const tools::Hand& hand);
+    void set_favourite(bool favourite);
+
+    Studio& studio_;
+    panels::BrushPanel* brushes_;
+    tools::BrushShelf shelf_;
+    RememberedFile file_;
+};
+
+}  // namespace pastoso::main

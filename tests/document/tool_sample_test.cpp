@@ -1,0 +1,72 @@
+// The mark that shows a tool best.
+#include "document/tool_sample.hpp"
+
+#include "core/thread_pool.hpp"
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace pastoso::document {
+namespace {
+
+constexpr SampleBoard::Size kSize{.width_mm = 80.0, .width_px = 120, .height_px = 40};
+
+pigment::Image8 sample(const brush::Preset& preset, const SampleBoard::Size& size = kSize,
+                       const std::function<bool()>& cancelled = {}) {
+    core::ThreadPool pool(1);
+    return tool_sample(preset, mark_of(preset), size, pool, cancelled);
+}
+
+/// Of all channels.
+double mean(const pigment::Image8& image) {
+    double sum = 0.0;
+    for (const auto value : image.rgb)
+        sum += value;
+    return sum / static_cast<double>(image.rgb.size());
+}
+
+TEST(ToolSample, ShowsWhatAToolIsTakenFor) {
+    const std::pair<const char*, ToolMark> kMarks[] = {
+        {"flat", ToolMark::Wave},        {"knife", ToolMark::OverWet},
+        {"rag", ToolMark::OverWet},      {"Dry scumbler 22", ToolMark::OverDry},
+        {"Stippler 15", ToolMark::Dabs}, {"rigger", ToolMark::Lines},
+        {"dropper", ToolMark::Drops},    {"spray", ToolMark::Stream},
+        {"blow", ToolMark::Blow}};
+    for (const auto& [name, mark] : kMarks)
+        EXPECT_EQ(mark_of(brush::find_preset(name)), mark) << name;
+}
+
+TEST(ToolSample, IsSeenOnABoardThatHoldsItsMark) {
+    EXPECT_DOUBLE_EQ(sample_width_mm(20.0, 300, 100), 96.0);  // 1.6 marks high
+    EXPECT_DOUBLE_EQ(sample_width_mm(20.0, 100, 100), 80.0);  // 4 marks wide
+    EXPECT_DOUBLE_EQ(sample_width_mm(1.0, 300, 100), 19.2);   // 6.4 mm high
+    EXPECT_EQ(mark_width_mm(brush::find_preset("flat")), 20.0);
+    // A cap of 25 mm3 that is 0.35 radii high.
+    EXPECT_NEAR(mark_width_mm(brush::find_preset("dropper")), 2.0 * 3.569, 1e-3);
+}
+
+TEST(ToolSample, OnCoarserCellsIsTheSamePictureRoughly) {
+    SampleBoard::Size coarse = kSize;
+    coarse.cell_px = 2.0;
+    const pigment::Image8 fine = sample(brush::find_preset("flat"));
+    const pigment::Image8 rough = sample(brush::find_preset("flat"), coarse);
+    EXPECT_EQ(rough.width, fine.width);
+    EXPECT_EQ(rough.height, fine.height);
+    EXPECT_NE(rough.rgb, fine.rgb);
+    // The outermost hairs cover other cells: of 40 rows of pixels two more or less.
+    EXPECT_NEAR(mean(rough), mean(fine), 6.0);
+}
+
+TEST(ToolSample, IsGivenUpWhenItIsAskedTo) {
+    EXPECT_TRUE(sample(brush::find_preset("flat"), kSize, [] { return true; }).rgb.empty());
+    int asked = 0;
+    EXPECT_TRUE(sample(brush::find_preset("flat"), kSize, [&] { return ++asked > 5; }).rgb.empty());
+    EXPECT_LT(asked, 20) << "soon";
+    EXPECT_FALSE(sample(brush::find_preset("flat"), kSize, [] { return false; }).rgb.empty());
+}
+
+}  // namespace
+}  // namespace pastoso::document
