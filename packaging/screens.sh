@@ -3,7 +3,7 @@
 #
 # Usage: packaging/screens.sh [--manual]
 #   --manual   puts those that the manual shows into docs/manual/pictures/ as well, and its table of keys
-#              into docs/manual/keys.md
+#              into docs/manual/keys.md and translations/keys-*.md
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 manual=no
@@ -35,6 +35,9 @@ if [[ $manual == yes ]]; then
     for name in $(grep -ho 'pictures/[a-z-]*\.png' "$manual_folder"/*.md | sort -u); do
         cp -- "$screens/$(basename -- "$name")" "$manual_folder/pictures/" || fail "the manual shows a picture that is not taken."
     done
-    "$programs/pastoso-screens" --keys >"$manual_folder/keys.md"
+    "$programs/pastoso-screens" --keys en >"$manual_folder/keys.md"
+    for language in ja sv zh_TW; do
+        "$programs/pastoso-screens" --keys "$language" >"$manual_folder/translations/keys-$language.md"
+    done
 fi
 say "$(find "$screens" -name '*.png' | wc -l) pictures stand in $screens"

@@ -104,6 +104,2689 @@
     </message>
 </context>
 <context>
+    <name>Engine</name>
+    <message>
+        <source>&quot;%1&quot; holds no picture and is left out.</source>
+        <translation>&quot;%1&quot; holds no picture and is left out.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2, but must lie between %3 and %4.</source>
+        <translation>&quot;%1&quot; is %2, but must lie between %3 and %4.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is known in millimetres only; in cells describe a &quot;weave&quot;.</source>
+        <translation>&quot;%1&quot; is known in millimetres only; in cells describe a &quot;weave&quot;.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is needed on the canvas itself.</source>
+        <translation>&quot;%1&quot; is needed on the canvas itself.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither &quot;once&quot; nor &quot;reflected&quot;.</source>
+        <translation>&quot;%1&quot; is neither &quot;once&quot; nor &quot;reflected&quot;.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither K nor S.</source>
+        <translation>&quot;%1&quot; is neither K nor S.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no form of a shape; there are %2.</source>
+        <translation>&quot;%1&quot; is no form of a shape; there are %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tool that an eraser end can take.</source>
+        <translation>&quot;%1&quot; is no tool that an eraser end can take.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of &quot;particles&quot;, &quot;level_set&quot;, &quot;upwind_level_set&quot; and &quot;particle_level_set&quot;.</source>
+        <translation>&quot;%1&quot; is none of &quot;particles&quot;, &quot;level_set&quot;, &quot;upwind_level_set&quot; and &quot;particle_level_set&quot;.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2.</source>
+        <translation>&quot;%1&quot; is none of %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour such as #783c14.</source>
+        <translation>&quot;%1&quot; is not a colour such as #783c14.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour; a colour is # and six hexadecimal digits, for example #c03020.</source>
+        <translation>&quot;%1&quot; is not a colour; a colour is # and six hexadecimal digits, for example #c03020.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number.</source>
+        <translation>&quot;%1&quot; is not a finite number.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a key such as Ctrl+Shift+Z.</source>
+        <translation>&quot;%1&quot; is not a key such as Ctrl+Shift+Z.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number.</source>
+        <translation>&quot;%1&quot; is not a number.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a wavelength in nm and a power with one comma.</source>
+        <translation>&quot;%1&quot; is not a wavelength in nm and a power with one comma.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of %2.</source>
+        <translation>&quot;%1&quot; is not one of %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of krita and photoshop.</source>
+        <translation>&quot;%1&quot; is not one of krita and photoshop.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the key of %2 already.</source>
+        <translation>&quot;%1&quot; is the key of %2 already.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the name of no command.</source>
+        <translation>&quot;%1&quot; is the name of no command.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands here twice.</source>
+        <translation>&quot;%1&quot; stands here twice.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands once for the whole file.</source>
+        <translation>&quot;%1&quot; stands once for the whole file.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was laid over the others by %2 and is laid over them as paint.</source>
+        <translation>&quot;%1&quot; was laid over the others by %2 and is laid over them as paint.</translation>
+    </message>
+    <message>
+        <source>&quot;endloop&quot; is missing before %1.</source>
+        <translation>&quot;endloop&quot; is missing before %1.</translation>
+    </message>
+    <message>
+        <source>&quot;tilt&quot; and &quot;gravity&quot; say the same; give one of them.</source>
+        <translation>&quot;tilt&quot; and &quot;gravity&quot; say the same; give one of them.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a finite number.</source>
+        <translation>%1 &quot;%2&quot; is not a finite number.</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;)</source>
+        <translation>%1 (&quot;%2&quot;)</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;): the field &quot;family&quot; is missing.</source>
+        <translation>%1 (&quot;%2&quot;): the field &quot;family&quot; is missing.</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;): thinned_with is &quot;%3&quot;, it must be the name of another medium here.</source>
+        <translation>%1 (&quot;%2&quot;): thinned_with is &quot;%3&quot;, it must be the name of another medium here.</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+    <message>
+        <source>%1 Not read: %2</source>
+        <translation>%1 Not read: %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 and %2</translation>
+    </message>
+    <message>
+        <source>%1 does not belong in an STL file.</source>
+        <translation>%1 does not belong in an STL file.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which cannot set &quot;%3&quot;.</source>
+        <translation>%1 is &quot;%2&quot;, which cannot set &quot;%3&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which is none of: %3.</source>
+        <translation>%1 is &quot;%2&quot;, which is none of: %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 in cell (%3, %4), but must lie between 0 and %5 (cells count from 0 at the upper left).</source>
+        <translation>%1 is %2 in cell (%3, %4), but must lie between 0 and %5 (cells count from 0 at the upper left).</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be a number from %3 to %4.</source>
+        <translation>%1 is %2, it must be a number from %3 to %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be a text.</source>
+        <translation>%1 is %2, it must be a text.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, more than the length, %3.</source>
+        <translation>%1 is %2, more than the length, %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not between %3 and %4.</source>
+        <translation>%1 is %2, not between %3 and %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, outside %3 to %4.</source>
+        <translation>%1 is %2, outside %3 to %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so that more than 100000 drops a second would fall.</source>
+        <translation>%1 is %2, so that more than 100000 drops a second would fall.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, whose input is not above that of the point before it.</source>
+        <translation>%1 is %2, whose input is not above that of the point before it.</translation>
+    </message>
+    <message>
+        <source>%1 is a file; numbered pictures go into a folder.</source>
+        <translation>%1 is a file; numbered pictures go into a folder.</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 is empty.</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>%1 is missing.</translation>
+    </message>
+    <message>
+        <source>%1 is no corner of a face.</source>
+        <translation>%1 is no corner of a face.</translation>
+    </message>
+    <message>
+        <source>%1 is no number.</source>
+        <translation>%1 is no number.</translation>
+    </message>
+    <message>
+        <source>%1 is not a field of a brush preset (value %2).</source>
+        <translation>%1 is not a field of a brush preset (value %2).</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of %2 numbers.</source>
+        <translation>%1 is not a list of %2 numbers.</translation>
+    </message>
+    <message>
+        <source>%1 is not above 0 and at most %2.</source>
+        <translation>%1 is not above 0 and at most %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not between %2 and %3.</source>
+        <translation>%1 is not between %2 and %3.</translation>
+    </message>
+    <message>
+        <source>%1 is not finite in single precision.</source>
+        <translation>%1 is not finite in single precision.</translation>
+    </message>
+    <message>
+        <source>%1 is not from %2 to %3.</source>
+        <translation>%1 is not from %2 to %3.</translation>
+    </message>
+    <message>
+        <source>%1 must be a list, not %2.</source>
+        <translation>%1 must be a list, not %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2.</source>
+        <translation>%1 must be a number, not %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be a text, not %2.</source>
+        <translation>%1 must be a text, not %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2.</source>
+        <translation>%1 must be a whole number, not %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be an object, not %2.</source>
+        <translation>%1 must be an object, not %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false, not %2.</source>
+        <translation>%1 must be true or false, not %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be two numbers, not %2.</source>
+        <translation>%1 must be two numbers, not %2.</translation>
+    </message>
+    <message>
+        <source>%1 must have 1 to %2 points, not %3.</source>
+        <translation>%1 must have 1 to %2 points, not %3.</translation>
+    </message>
+    <message>
+        <source>%1 names %2 %3, but %4 were given until here.</source>
+        <translation>%1 names %2 %3, but %4 were given until here.</translation>
+    </message>
+    <message>
+        <source>%1 needs about %2; %3 of memory are free.</source>
+        <translation>%1 needs about %2; %3 of memory are free.</translation>
+    </message>
+    <message>
+        <source>%1 normal</source>
+        <translation>%1 normal</translation>
+    </message>
+    <message>
+        <source>%1 of the pigment &quot;%2&quot; is given twice.</source>
+        <translation>%1 of the pigment &quot;%2&quot; is given twice.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 or %2</translation>
+    </message>
+    <message>
+        <source>%1 per mm is negative.</source>
+        <translation>%1 per mm is negative.</translation>
+    </message>
+    <message>
+        <source>%1 position</source>
+        <translation>%1 position</translation>
+    </message>
+    <message>
+        <source>%1 triangles take %2 bytes, but the file has %3.</source>
+        <translation>%1 triangles take %2 bytes, but the file has %3.</translation>
+    </message>
+    <message>
+        <source>%1 would have %2 x %3 cells; at most %4 a side are possible.</source>
+        <translation>%1 would have %2 x %3 cells; at most %4 a side are possible.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells need about %3; %4 of memory are free.</source>
+        <translation>%1 x %2 cells need about %3; %4 of memory are free.</translation>
+    </message>
+    <message>
+        <source>%1, %2 nm: %3 is not a number.</source>
+        <translation>%1, %2 nm: %3 is not a number.</translation>
+    </message>
+    <message>
+        <source>%1, %2 nm: the weight %3 is negative.</source>
+        <translation>%1, %2 nm: the weight %3 is negative.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, byte %2</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: %3</source>
+        <translation>%1, byte %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, entry %2</source>
+        <translation>%1, entry %2</translation>
+    </message>
+    <message>
+        <source>%1, event %2: %3</source>
+        <translation>%1, event %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, line %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not JSON, or it is cut off here.</source>
+        <translation>%1, line %2: this is not JSON, or it is cut off here.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not valid JSON.</source>
+        <translation>%1, line %2: this is not valid JSON.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a list of %3 bands.</source>
+        <translation>%1: &quot;%2&quot; is not a list of %3 bands.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; stands there twice.</source>
+        <translation>%1: &quot;%2&quot; stands there twice.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 files do not hold %3-bit pictures.</source>
+        <translation>%1: %2 files do not hold %3-bit pictures.</translation>
+    </message>
+    <message>
+        <source>%1: %2 files do not hold %3.</source>
+        <translation>%1: %2 files do not hold %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 files hold at most %3 pixels a side; this picture has %4 x %5.</source>
+        <translation>%1: %2 files hold at most %3 pixels a side; this picture has %4 x %5.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the pigment &quot;%3&quot; is %4 per mm in band %5 of %6, above the %7 that paint can have; give the pigment in a weaker paint.</source>
+        <translation>%1: %2 of the pigment &quot;%3&quot; is %4 per mm in band %5 of %6, above the %7 that paint can have; give the pigment in a weaker paint.</translation>
+    </message>
+    <message>
+        <source>%1: %2 x %3 pixels are more than the %4 a side that a PSD file holds.</source>
+        <translation>%1: %2 x %3 pixels are more than the %4 a side that a PSD file holds.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: 32 bits a channel hold linear light, which needs no ICC profile.</source>
+        <translation>%1: 32 bits a channel hold linear light, which needs no ICC profile.</translation>
+    </message>
+    <message>
+        <source>%1: a PSD file of these layers would be larger than 2 GB.</source>
+        <translation>%1: a PSD file of these layers would be larger than 2 GB.</translation>
+    </message>
+    <message>
+        <source>%1: a batch begins at an action or tick that cannot be.</source>
+        <translation>%1: a batch begins at an action or tick that cannot be.</translation>
+    </message>
+    <message>
+        <source>%1: a batch is too short.</source>
+        <translation>%1: a batch is too short.</translation>
+    </message>
+    <message>
+        <source>%1: a copy in layers is saved as .ora or .psd; this name ends in neither.</source>
+        <translation>%1: a copy in layers is saved as .ora or .psd; this name ends in neither.</translation>
+    </message>
+    <message>
+        <source>%1: a mesh is read from .obj or .stl; this name ends otherwise.</source>
+        <translation>%1: a mesh is read from .obj or .stl; this name ends otherwise.</translation>
+    </message>
+    <message>
+        <source>%1: a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in none of them.</source>
+        <translation>%1: a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in none of them.</translation>
+    </message>
+    <message>
+        <source>%1: a relief is saved as .stl, .ply or .obj; this name ends in none of them.</source>
+        <translation>%1: a relief is saved as .stl, .ply or .obj; this name ends in none of them.</translation>
+    </message>
+    <message>
+        <source>%1: a relief is saved as .stl, .ply or .obj; this name ends otherwise.</source>
+        <translation>%1: a relief is saved as .stl, .ply or .obj; this name ends otherwise.</translation>
+    </message>
+    <message>
+        <source>%1: a scene is saved as .pbrt; this name ends otherwise.</source>
+        <translation>%1: a scene is saved as .pbrt; this name ends otherwise.</translation>
+    </message>
+    <message>
+        <source>%1: a surface is saved as .obj, .ply, .stl or .pbrt; this name ends otherwise.</source>
+        <translation>%1: a surface is saved as .obj, .ply, .stl or .pbrt; this name ends otherwise.</translation>
+    </message>
+    <message>
+        <source>%1: a video is made by the program ffmpeg, which is not installed; a folder&apos;s name instead gives numbered pictures.</source>
+        <translation>%1: a video is made by the program ffmpeg, which is not installed; a folder&apos;s name instead gives numbered pictures.</translation>
+    </message>
+    <message>
+        <source>%1: a video is saved as .mp4, .mkv or .webm, and a folder&apos;s name has no ending.</source>
+        <translation>%1: a video is saved as .mp4, .mkv or .webm, and a folder&apos;s name has no ending.</translation>
+    </message>
+    <message>
+        <source>%1: a volume is saved as .vdb; this name ends otherwise.</source>
+        <translation>%1: a volume is saved as .vdb; this name ends otherwise.</translation>
+    </message>
+    <message>
+        <source>%1: another program is at it.</source>
+        <translation>%1: another program is at it.</translation>
+    </message>
+    <message>
+        <source>%1: band %2 of &quot;%3&quot;</source>
+        <translation>%1: band %2 of &quot;%3&quot;</translation>
+    </message>
+    <message>
+        <source>%1: cannot be created (%2).</source>
+        <translation>%1: cannot be created (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2).</source>
+        <translation>%1: cannot be opened (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2).</source>
+        <translation>%1: cannot be read (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read to its end.</source>
+        <translation>%1: cannot be read to its end.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be removed (%2).</source>
+        <translation>%1: cannot be removed (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2).</source>
+        <translation>%1: cannot be written (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2); what is painted now can be saved, but not recovered.</source>
+        <translation>%1: cannot be written (%2); what is painted now can be saved, but not recovered.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written, since this program was built without OpenVDB.</source>
+        <translation>%1: cannot be written, since this program was built without OpenVDB.</translation>
+    </message>
+    <message>
+        <source>%1: does not say what was painted on.</source>
+        <translation>%1: does not say what was painted on.</translation>
+    </message>
+    <message>
+        <source>%1: expected the name of a pigment.</source>
+        <translation>%1: expected the name of a pigment.</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg cannot be started (%2).</source>
+        <translation>%1: ffmpeg cannot be started (%2).</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg cannot make the video (%2).</source>
+        <translation>%1: ffmpeg cannot make the video (%2).</translation>
+    </message>
+    <message>
+        <source>%1: holds a number that is too large (%2).</source>
+        <translation>%1: holds a number that is too large (%2).</translation>
+    </message>
+    <message>
+        <source>%1: holds a number that is too large.</source>
+        <translation>%1: holds a number that is too large.</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile for %2, but the picture&apos;s values are red, green and blue.</source>
+        <translation>%1: holds an ICC profile for %2, but the picture&apos;s values are red, green and blue.</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile that cannot be applied (%2).</source>
+        <translation>%1: holds an ICC profile that cannot be applied (%2).</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile that is none (%2).</source>
+        <translation>%1: holds an ICC profile that is none (%2).</translation>
+    </message>
+    <message>
+        <source>%1: holds frames of another time-lapse; name another folder, or remove them.</source>
+        <translation>%1: holds frames of another time-lapse; name another folder, or remove them.</translation>
+    </message>
+    <message>
+        <source>%1: holds no actions of a painting.</source>
+        <translation>%1: holds no actions of a painting.</translation>
+    </message>
+    <message>
+        <source>%1: holds no stroke; expected lines &quot;seconds x y pressure&quot;, some with a pressure above 0.</source>
+        <translation>%1: holds no stroke; expected lines &quot;seconds x y pressure&quot;, some with a pressure above 0.</translation>
+    </message>
+    <message>
+        <source>%1: holds no strokes that could be painted again.</source>
+        <translation>%1: holds no strokes that could be painted again.</translation>
+    </message>
+    <message>
+        <source>%1: is %2, not a file.</source>
+        <translation>%1: is %2, not a file.</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile for %2, but a picture is written in red, green and blue.</source>
+        <translation>%1: is an ICC profile for %2, but a picture is written in red, green and blue.</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile for %2, but a screen shows red, green and blue.</source>
+        <translation>%1: is an ICC profile for %2, but a screen shows red, green and blue.</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no colour can be shown with (%2).</source>
+        <translation>%1: is an ICC profile that no colour can be shown with (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no picture can be written in (%2).</source>
+        <translation>%1: is an ICC profile that no picture can be written in (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no print can be shown with (%2).</source>
+        <translation>%1: is an ICC profile that no print can be shown with (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is an OpenRaster picture of another program; it holds no wet paint.</source>
+        <translation>%1: is an OpenRaster picture of another program; it holds no wet paint.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; %2 actions after it are lost.</source>
+        <translation>%1: is damaged; %2 actions after it are lost.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; 1 action after it is lost.</source>
+        <translation>%1: is damaged; 1 action after it is lost.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; the painting is there, but some of its strokes are missing, so that they cannot be replayed.</source>
+        <translation>%1: is damaged; the painting is there, but some of its strokes are missing, so that they cannot be replayed.</translation>
+    </message>
+    <message>
+        <source>%1: is larger than the %2 bytes that are read at most.</source>
+        <translation>%1: is larger than the %2 bytes that are read at most.</translation>
+    </message>
+    <message>
+        <source>%1: is no ICC profile (%2).</source>
+        <translation>%1: is no ICC profile (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is no OpenRaster file, which would hold %2.</source>
+        <translation>%1: is no OpenRaster file, which would hold %2.</translation>
+    </message>
+    <message>
+        <source>%1: is no painting of Pastoso, or its end is missing (%2).</source>
+        <translation>%1: is no painting of Pastoso, or its end is missing (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is no painting of Pastoso.</source>
+        <translation>%1: is no painting of Pastoso.</translation>
+    </message>
+    <message>
+        <source>%1: is not a list of media in square brackets.</source>
+        <translation>%1: is not a list of media in square brackets.</translation>
+    </message>
+    <message>
+        <source>%1: is not an object in braces.</source>
+        <translation>%1: is not an object in braces.</translation>
+    </message>
+    <message>
+        <source>%1: is of another moment.</source>
+        <translation>%1: is of another moment.</translation>
+    </message>
+    <message>
+        <source>%1: is write-protected; allow writing to it, or choose another name.</source>
+        <translation>%1: is write-protected; allow writing to it, or choose another name.</translation>
+    </message>
+    <message>
+        <source>%1: is written, but may be lost in a power cut (%2).</source>
+        <translation>%1: is written, but may be lost in a power cut (%2).</translation>
+    </message>
+    <message>
+        <source>%1: keeps frames of %2; choose another folder.</source>
+        <translation>%1: keeps frames of %2; choose another folder.</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects are nested more than %2 deep.</source>
+        <translation>%1: lists and objects are nested more than %2 deep.</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects stand more than %2 deep in each other.</source>
+        <translation>%1: lists and objects stand more than %2 deep in each other.</translation>
+    </message>
+    <message>
+        <source>%1: maps are saved as .png, .tif or .exr; %2 files do not hold heights.</source>
+        <translation>%1: maps are saved as .png, .tif or .exr; %2 files do not hold heights.</translation>
+    </message>
+    <message>
+        <source>%1: name is &quot;%2&quot;, which another preset of yours has already.</source>
+        <translation>%1: name is &quot;%2&quot;, which another preset of yours has already.</translation>
+    </message>
+    <message>
+        <source>%1: only .exr files hold layers.</source>
+        <translation>%1: only .exr files hold layers.</translation>
+    </message>
+    <message>
+        <source>%1: only .exr files hold the layers&apos; heights and normals.</source>
+        <translation>%1: only .exr files hold the layers&apos; heights and normals.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of vertex %3 is not finite; nothing was written.</source>
+        <translation>%1: the %2 of vertex %3 is not finite; nothing was written.</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full.</source>
+        <translation>%1: the disk is full.</translation>
+    </message>
+    <message>
+        <source>%1: the entry &quot;%2&quot; is missing.</source>
+        <translation>%1: the entry &quot;%2&quot; is missing.</translation>
+    </message>
+    <message>
+        <source>%1: the list &quot;%2&quot; of paints is missing.</source>
+        <translation>%1: the list &quot;%2&quot; of paints is missing.</translation>
+    </message>
+    <message>
+        <source>%1: the name &quot;%2&quot; begins with #, as only colours do.</source>
+        <translation>%1: the name &quot;%2&quot; begins with #, as only colours do.</translation>
+    </message>
+    <message>
+        <source>%1: the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.</source>
+        <translation>%1: the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.</translation>
+    </message>
+    <message>
+        <source>%1: the pigment &quot;%2&quot; has no line for %3.</source>
+        <translation>%1: the pigment &quot;%2&quot; has no line for %3.</translation>
+    </message>
+    <message>
+        <source>%1: the readings go from %2 to %3 nm; a light is needed from 400 to 700 nm.</source>
+        <translation>%1: the readings go from %2 to %3 nm; a light is needed from 400 to 700 nm.</translation>
+    </message>
+    <message>
+        <source>%1: the system refuses this (%2).</source>
+        <translation>%1: the system refuses this (%2).</translation>
+    </message>
+    <message>
+        <source>%1: the weights add up to %2 instead of 1.</source>
+        <translation>%1: the weights add up to %2 instead of 1.</translation>
+    </message>
+    <message>
+        <source>%1: there are more than %2 triangles.</source>
+        <translation>%1: there are more than %2 triangles.</translation>
+    </message>
+    <message>
+        <source>%1: there is already a pigment &quot;%2&quot;; give yours another name.</source>
+        <translation>%1: there is already a pigment &quot;%2&quot;; give yours another name.</translation>
+    </message>
+    <message>
+        <source>%1: there is no colour in this palette.</source>
+        <translation>%1: there is no colour in this palette.</translation>
+    </message>
+    <message>
+        <source>%1: there is no pigment &quot;%2&quot;.</source>
+        <translation>%1: there is no pigment &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>%1: there is no pigment in this file.</source>
+        <translation>%1: there is no pigment in this file.</translation>
+    </message>
+    <message>
+        <source>%1: there is no reading of a light in this file.</source>
+        <translation>%1: there is no reading of a light in this file.</translation>
+    </message>
+    <message>
+        <source>%1: this file of the program itself is missing; reinstall it or set PASTOSO_RESOURCES to the folder that holds it.</source>
+        <translation>%1: this file of the program itself is missing; reinstall it or set PASTOSO_RESOURCES to the folder that holds it.</translation>
+    </message>
+    <message>
+        <source>%1: this folder cannot be made (%2).</source>
+        <translation>%1: this folder cannot be made (%2).</translation>
+    </message>
+    <message>
+        <source>%1: this format holds linear light, which needs no ICC profile.</source>
+        <translation>%1: this format holds linear light, which needs no ICC profile.</translation>
+    </message>
+    <message>
+        <source>%1: this is not valid JSON.</source>
+        <translation>%1: this is not valid JSON.</translation>
+    </message>
+    <message>
+        <source>%1: this light has no power that is seen.</source>
+        <translation>%1: this light has no power that is seen.</translation>
+    </message>
+    <message>
+        <source>%1: this light is so nearly a pure colour that nothing looks white in it.</source>
+        <translation>%1: this light is so nearly a pure colour that nothing looks white in it.</translation>
+    </message>
+    <message>
+        <source>%1: this part of the program cannot be loaded (%2).</source>
+        <translation>%1: this part of the program cannot be loaded (%2).</translation>
+    </message>
+    <message>
+        <source>%1: this part of the program is of another version; reinstall it.</source>
+        <translation>%1: this part of the program is of another version; reinstall it.</translation>
+    </message>
+    <message>
+        <source>%1: was saved by Pastoso with another form of %2; where nothing is painted, the canvas looks different.</source>
+        <translation>%1: was saved by Pastoso with another form of %2; where nothing is painted, the canvas looks different.</translation>
+    </message>
+    <message>
+        <source>16-bit pictures</source>
+        <translation>16-bit pictures</translation>
+    </message>
+    <message>
+        <source>8-bit pictures</source>
+        <translation>8-bit pictures</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; is left out.</source>
+        <translation>&lt;%1&gt; is left out.</translation>
+    </message>
+    <message>
+        <source>A brush needs a name.</source>
+        <translation>A brush needs a name.</translation>
+    </message>
+    <message>
+        <source>A canvas of %1 x %2 mm at %3 px/mm</source>
+        <translation>A canvas of %1 x %2 mm at %3 px/mm</translation>
+    </message>
+    <message>
+        <source>A diffusivity of %1 m2/s over %2 s; both must be 0 or more.</source>
+        <translation>A diffusivity of %1 m2/s over %2 s; both must be 0 or more.</translation>
+    </message>
+    <message>
+        <source>A diffusivity or viscosity of %1 m2/s is too large for a step of %2 s.</source>
+        <translation>A diffusivity or viscosity of %1 m2/s is too large for a step of %2 s.</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s ball</source>
+        <translation>A parcel&apos;s ball</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s coldness</source>
+        <translation>A parcel&apos;s coldness</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s place</source>
+        <translation>A parcel&apos;s place</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s shape is none.</source>
+        <translation>A parcel&apos;s shape is none.</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s volume</source>
+        <translation>A parcel&apos;s volume</translation>
+    </message>
+    <message>
+        <source>A particle of this state is not within the tank.</source>
+        <translation>A particle of this state is not within the tank.</translation>
+    </message>
+    <message>
+        <source>A picture</source>
+        <translation>A picture</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than the 268 million that can be rendered.</source>
+        <translation>A picture of %1 x %2 pixels is larger than the 268 million that can be rendered.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than the 32768 a side that can be made.</source>
+        <translation>A picture of %1 x %2 pixels is larger than the 32768 a side that can be made.</translation>
+    </message>
+    <message>
+        <source>A relief of %1 x %2 points is more than the 25 million that can be made; a coarser resolution takes fewer.</source>
+        <translation>A relief of %1 x %2 points is more than the 25 million that can be made; a coarser resolution takes fewer.</translation>
+    </message>
+    <message>
+        <source>Cannot make the folder %1: %2.</source>
+        <translation>Cannot make the folder %1: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot write </source>
+        <translation>Cannot write </translation>
+    </message>
+    <message>
+        <source>Cup, box, cells, time step, seed and the recipe&apos;s milk cannot change while the tea runs.</source>
+        <translation>Cup, box, cells, time step, seed and the recipe&apos;s milk cannot change while the tea runs.</translation>
+    </message>
+    <message>
+        <source>Nothing has been painted yet that a film could show.</source>
+        <translation>Nothing has been painted yet that a film could show.</translation>
+    </message>
+    <message>
+        <source>OpenGL reports error %1</source>
+        <translation>OpenGL reports error %1</translation>
+    </message>
+    <message>
+        <source>PASTOSO_ISA is &quot;%1&quot;, but there are baseline, avx2 and avx512.</source>
+        <translation>PASTOSO_ISA is &quot;%1&quot;, but there are baseline, avx2 and avx512.</translation>
+    </message>
+    <message>
+        <source>The %1 of the canvas is %2 %3, but must lie between %4 and %5.</source>
+        <translation>The %1 of the canvas is %2 %3, but must lie between %4 and %5.</translation>
+    </message>
+    <message>
+        <source>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</source>
+        <translation>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</translation>
+    </message>
+    <message>
+        <source>The canvas is %1 x %2 cells, more than this graphics driver can show.</source>
+        <translation>The canvas is %1 x %2 cells, more than this graphics driver can show.</translation>
+    </message>
+    <message>
+        <source>The cells of the box of liquid are %1 m wide, which is no size.</source>
+        <translation>The cells of the box of liquid are %1 m wide, which is no size.</translation>
+    </message>
+    <message>
+        <source>The cup&apos;s radius at its level</source>
+        <translation>The cup&apos;s radius at its level</translation>
+    </message>
+    <message>
+        <source>The diffusivity or viscosity is %1 m2/s; it must be 0 or more.</source>
+        <translation>The diffusivity or viscosity is %1 m2/s; it must be 0 or more.</translation>
+    </message>
+    <message>
+        <source>The file needs a name.</source>
+        <translation>The file needs a name.</translation>
+    </message>
+    <message>
+        <source>The film is of %1 media, but may be of %2 at most.</source>
+        <translation>The film is of %1 media, but may be of %2 at most.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
+        <translation>The folder %1 holds the frames of another time-lapse; name another one.</translation>
+    </message>
+    <message>
+        <source>The graphics card cannot draw the canvas: %1.</source>
+        <translation>The graphics card cannot draw the canvas: %1.</translation>
+    </message>
+    <message>
+        <source>The graphics driver refuses a program that pictures are drawn with: %1</source>
+        <translation>The graphics driver refuses a program that pictures are drawn with: %1</translation>
+    </message>
+    <message>
+        <source>The height of the support</source>
+        <translation>The height of the support</translation>
+    </message>
+    <message>
+        <source>The latest strokes %1</source>
+        <translation>The latest strokes %1</translation>
+    </message>
+    <message>
+        <source>The light&apos;s %1 is %2, outside the range from %3 to %4.</source>
+        <translation>The light&apos;s %1 is %2, outside the range from %3 to %4.</translation>
+    </message>
+    <message>
+        <source>The milk that was poured</source>
+        <translation>The milk that was poured</translation>
+    </message>
+    <message>
+        <source>The next ball&apos;s time</source>
+        <translation>The next ball&apos;s time</translation>
+    </message>
+    <message>
+        <source>The number of balls</source>
+        <translation>The number of balls</translation>
+    </message>
+    <message>
+        <source>The number of parcels</source>
+        <translation>The number of parcels</translation>
+    </message>
+    <message>
+        <source>The painting is as it was saved, but its strokes %1</source>
+        <translation>The painting is as it was saved, but its strokes %1</translation>
+    </message>
+    <message>
+        <source>The painting is recovered up to an action that cannot be repeated: %1</source>
+        <translation>The painting is recovered up to an action that cannot be repeated: %1</translation>
+    </message>
+    <message>
+        <source>The painting is whole, but its strokes cannot be replayed: %1</source>
+        <translation>The painting is whole, but its strokes cannot be replayed: %1</translation>
+    </message>
+    <message>
+        <source>The part of the canvas to render is empty or reaches beyond the canvas.</source>
+        <translation>The part of the canvas to render is empty or reaches beyond the canvas.</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s scale is %1 pixels per cell, outside the range from 1/64 to 64.</source>
+        <translation>The picture&apos;s scale is %1 pixels per cell, outside the range from 1/64 to 64.</translation>
+    </message>
+    <message>
+        <source>The pressure is allowed %1 iterations; it needs at least 1.</source>
+        <translation>The pressure is allowed %1 iterations; it needs at least 1.</translation>
+    </message>
+    <message>
+        <source>The pressure&apos;s tolerance is %1; it may be 1e-7 to 1.</source>
+        <translation>The pressure&apos;s tolerance is %1; it may be 1e-7 to 1.</translation>
+    </message>
+    <message>
+        <source>The relief&apos;s %1 is %2, outside the range from %3 to %4.</source>
+        <translation>The relief&apos;s %1 is %2, outside the range from %3 to %4.</translation>
+    </message>
+    <message>
+        <source>The state is that of another box of cells.</source>
+        <translation>The state is that of another box of cells.</translation>
+    </message>
+    <message>
+        <source>The step</source>
+        <translation>The step</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s end</source>
+        <translation>The stream&apos;s end</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s parcels</source>
+        <translation>The stream&apos;s parcels</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s place</source>
+        <translation>The stream&apos;s place</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s time</source>
+        <translation>The stream&apos;s time</translation>
+    </message>
+    <message>
+        <source>The support &quot;image&quot; needs a height image; none is named.</source>
+        <translation>The support &quot;image&quot; needs a height image; none is named.</translation>
+    </message>
+    <message>
+        <source>The thickness of the film</source>
+        <translation>The thickness of the film</translation>
+    </message>
+    <message>
+        <source>The time of this state is not one of a tank.</source>
+        <translation>The time of this state is not one of a tank.</translation>
+    </message>
+    <message>
+        <source>The time step is %1 s; it must be 0 or more.</source>
+        <translation>The time step is %1 s; it must be 0 or more.</translation>
+    </message>
+    <message>
+        <source>The varnish&apos;s %1 is %2, outside the range from 0 to 1.</source>
+        <translation>The varnish&apos;s %1 is %2, outside the range from 0 to 1.</translation>
+    </message>
+    <message>
+        <source>The viscosity is %1 m2/s; it must be 0 or more.</source>
+        <translation>The viscosity is %1 m2/s; it must be 0 or more.</translation>
+    </message>
+    <message>
+        <source>The vorticity confinement is %1; it may be 0 to 0.3.</source>
+        <translation>The vorticity confinement is %1; it may be 0 to 0.3.</translation>
+    </message>
+    <message>
+        <source>The wall&apos;s distance at (%1, %2, %3) m is not a number.</source>
+        <translation>The wall&apos;s distance at (%1, %2, %3) m is not a number.</translation>
+    </message>
+    <message>
+        <source>There are %1 values for the %2 x %3 cells of the canvas.</source>
+        <translation>There are %1 values for the %2 x %3 cells of the canvas.</translation>
+    </message>
+    <message>
+        <source>There is already a brush &quot;%1&quot;.</source>
+        <translation>There is already a brush &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>There is already a file %1.</source>
+        <translation>There is already a file %1.</translation>
+    </message>
+    <message>
+        <source>There is no brush &quot;%1&quot;; the brushes are %2.</source>
+        <translation>There is no brush &quot;%1&quot;; the brushes are %2.</translation>
+    </message>
+    <message>
+        <source>There is no case &quot;%1&quot;, only %2.</source>
+        <translation>There is no case &quot;%1&quot;, only %2.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>There is no folder %1.</translation>
+    </message>
+    <message>
+        <source>There is no light &quot;%1&quot;; there are D65, D50, A and LED, or give the path of a CSV file.</source>
+        <translation>There is no light &quot;%1&quot;; there are D65, D50, A and LED, or give the path of a CSV file.</translation>
+    </message>
+    <message>
+        <source>There is no medium &quot;%1&quot;; the media are: %2.</source>
+        <translation>There is no medium &quot;%1&quot;; the media are: %2.</translation>
+    </message>
+    <message>
+        <source>There is no picture yet that could be saved.</source>
+        <translation>There is no picture yet that could be saved.</translation>
+    </message>
+    <message>
+        <source>There is no pigment &quot;%1&quot;; %2</source>
+        <translation>There is no pigment &quot;%1&quot;; %2</translation>
+    </message>
+    <message>
+        <source>There is no pigment &quot;%1&quot;; did you mean %2; %3</source>
+        <translation>There is no pigment &quot;%1&quot;; did you mean %2; %3</translation>
+    </message>
+    <message>
+        <source>There is no scene &quot;%1&quot;; give a file ending in .json, or one of: %2.</source>
+        <translation>There is no scene &quot;%1&quot;; give a file ending in .json, or one of: %2.</translation>
+    </message>
+    <message>
+        <source>There is no support &quot;%1&quot;; the supports are: %2.</source>
+        <translation>There is no support &quot;%1&quot;; the supports are: %2.</translation>
+    </message>
+    <message>
+        <source>This is the state of a level set, not of particles.</source>
+        <translation>This is the state of a level set, not of particles.</translation>
+    </message>
+    <message>
+        <source>This is the state of a tank that is followed in another way.</source>
+        <translation>This is the state of a tank that is followed in another way.</translation>
+    </message>
+    <message>
+        <source>This is the state of another tank.</source>
+        <translation>This is the state of another tank.</translation>
+    </message>
+    <message>
+        <source>a bristle holds what none can.</source>
+        <translation>a bristle holds what none can.</translation>
+    </message>
+    <message>
+        <source>a cap is at most a half sphere: its thickness %1 must lie above 0 and not above its radius %2.</source>
+        <translation>a cap is at most a half sphere: its thickness %1 must lie above 0 and not above its radius %2.</translation>
+    </message>
+    <message>
+        <source>a cell holds more of its media than it holds paint.</source>
+        <translation>a cell holds more of its media than it holds paint.</translation>
+    </message>
+    <message>
+        <source>a combination has no parts.</source>
+        <translation>a combination has no parts.</translation>
+    </message>
+    <message>
+        <source>a corner of triangle %1 is not finite (%2).</source>
+        <translation>a corner of triangle %1 is not finite (%2).</translation>
+    </message>
+    <message>
+        <source>a corner stands outside of a loop.</source>
+        <translation>a corner stands outside of a loop.</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>a device</translation>
+    </message>
+    <message>
+        <source>a document type is not read here.</source>
+        <translation>a document type is not read here.</translation>
+    </message>
+    <message>
+        <source>a face has %1 corners, not three or more.</source>
+        <translation>a face has %1 corners, not three or more.</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>a file</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>a folder</translation>
+    </message>
+    <message>
+        <source>a glass of milk tea</source>
+        <translation>a glass of milk tea</translation>
+    </message>
+    <message>
+        <source>a group needs a layer.</source>
+        <translation>a group needs a layer.</translation>
+    </message>
+    <message>
+        <source>a height of the support</source>
+        <translation>a height of the support</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>a list</translation>
+    </message>
+    <message>
+        <source>a loop begins within another one.</source>
+        <translation>a loop begins within another one.</translation>
+    </message>
+    <message>
+        <source>a loop ends that has no three corners.</source>
+        <translation>a loop ends that has no three corners.</translation>
+    </message>
+    <message>
+        <source>a mixture</source>
+        <translation>a mixture</translation>
+    </message>
+    <message>
+        <source>a named pipe</source>
+        <translation>a named pipe</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>a number</translation>
+    </message>
+    <message>
+        <source>a number is missing.</source>
+        <translation>a number is missing.</translation>
+    </message>
+    <message>
+        <source>a painting has 1 to %1 layers, not %2.</source>
+        <translation>a painting has 1 to %1 layers, not %2.</translation>
+    </message>
+    <message>
+        <source>a painting has at most %1 layers.</source>
+        <translation>a painting has at most %1 layers.</translation>
+    </message>
+    <message>
+        <source>a painting keeps its last layer.</source>
+        <translation>a painting keeps its last layer.</translation>
+    </message>
+    <message>
+        <source>a picture on it has no strokes, and comes no finer than it is.</source>
+        <translation>a picture on it has no strokes, and comes no finer than it is.</translation>
+    </message>
+    <message>
+        <source>a point of an outline has two numbers, x and y.</source>
+        <translation>a point of an outline has two numbers, x and y.</translation>
+    </message>
+    <message>
+        <source>a pressure</source>
+        <translation>a pressure</translation>
+    </message>
+    <message>
+        <source>a pressure curve leads from 0 to 1 and never falls.</source>
+        <translation>a pressure curve leads from 0 to 1 and never falls.</translation>
+    </message>
+    <message>
+        <source>a reflectance</source>
+        <translation>a reflectance</translation>
+    </message>
+    <message>
+        <source>a run is named by up to 64 small letters, digits and hyphens.</source>
+        <translation>a run is named by up to 64 small letters, digits and hyphens.</translation>
+    </message>
+    <message>
+        <source>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</source>
+        <translation>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</translation>
+    </message>
+    <message>
+        <source>a scene</source>
+        <translation>a scene</translation>
+    </message>
+    <message>
+        <source>a scene of a glass tank</source>
+        <translation>a scene of a glass tank</translation>
+    </message>
+    <message>
+        <source>a shape is an object with one entry, its form, which is one of %1.</source>
+        <translation>a shape is an object with one entry, its form, which is one of %1.</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>a socket</translation>
+    </message>
+    <message>
+        <source>a stroke needs at least one sample.</source>
+        <translation>a stroke needs at least one sample.</translation>
+    </message>
+    <message>
+        <source>a stroke recording</source>
+        <translation>a stroke recording</translation>
+    </message>
+    <message>
+        <source>a stroke that goes on stays on its surface.</source>
+        <translation>a stroke that goes on stays on its surface.</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>a text</translation>
+    </message>
+    <message>
+        <source>a thickness</source>
+        <translation>a thickness</translation>
+    </message>
+    <message>
+        <source>a thickness of dry paint</source>
+        <translation>a thickness of dry paint</translation>
+    </message>
+    <message>
+        <source>a tilt needs millimetres; in cells give &quot;gravity&quot;.</source>
+        <translation>a tilt needs millimetres; in cells give &quot;gravity&quot;.</translation>
+    </message>
+    <message>
+        <source>a triangle has more than three corners.</source>
+        <translation>a triangle has more than three corners.</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>a velocity</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>a whole number</translation>
+    </message>
+    <message>
+        <source>alpha_min is %1, it must not be larger than alpha_max, %2.</source>
+        <translation>alpha_min is %1, it must not be larger than alpha_max, %2.</translation>
+    </message>
+    <message>
+        <source>ambient share</source>
+        <translation>ambient share</translation>
+    </message>
+    <message>
+        <source>amount</source>
+        <translation>amount</translation>
+    </message>
+    <message>
+        <source>an amount of a medium</source>
+        <translation>an amount of a medium</translation>
+    </message>
+    <message>
+        <source>an amount of dry pigment</source>
+        <translation>an amount of dry pigment</translation>
+    </message>
+    <message>
+        <source>an amount of paint</source>
+        <translation>an amount of paint</translation>
+    </message>
+    <message>
+        <source>an exception of an unknown kind</source>
+        <translation>an exception of an unknown kind</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>an object</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>aside</translation>
+    </message>
+    <message>
+        <source>at least one run is needed.</source>
+        <translation>at least one run is needed.</translation>
+    </message>
+    <message>
+        <source>axis of the symmetry</source>
+        <translation>axis of the symmetry</translation>
+    </message>
+    <message>
+        <source>azimuth in degrees</source>
+        <translation>azimuth in degrees</translation>
+    </message>
+    <message>
+        <source>bare support</source>
+        <translation>bare support</translation>
+    </message>
+    <message>
+        <source>base in mm</source>
+        <translation>base in mm</translation>
+    </message>
+    <message>
+        <source>belongs to another scene.</source>
+        <translation>belongs to another scene.</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blue</translation>
+    </message>
+    <message>
+        <source>camera eye</source>
+        <translation>camera eye</translation>
+    </message>
+    <message>
+        <source>camera target</source>
+        <translation>camera target</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1).</source>
+        <translation>cannot be read (%1).</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>cannot be read to its end</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>canvas</translation>
+    </message>
+    <message>
+        <source>cell (%1, %2) holds %3 that cannot be.</source>
+        <translation>cell (%1, %2) holds %3 that cannot be.</translation>
+    </message>
+    <message>
+        <source>cell (%1, %2) holds a lower stratum that is no part of its paint.</source>
+        <translation>cell (%1, %2) holds a lower stratum that is no part of its paint.</translation>
+    </message>
+    <message>
+        <source>checkpoint of a tank</source>
+        <translation>checkpoint of a tank</translation>
+    </message>
+    <message>
+        <source>checkpoint of tea</source>
+        <translation>checkpoint of tea</translation>
+    </message>
+    <message>
+        <source>column %1 (%2): %3</source>
+        <translation>column %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>cup axis</source>
+        <translation>cup axis</translation>
+    </message>
+    <message>
+        <source>cup floor</source>
+        <translation>cup floor</translation>
+    </message>
+    <message>
+        <source>cup foot</source>
+        <translation>cup foot</translation>
+    </message>
+    <message>
+        <source>cup level</source>
+        <translation>cup level</translation>
+    </message>
+    <message>
+        <source>cup radius at the foot</source>
+        <translation>cup radius at the foot</translation>
+    </message>
+    <message>
+        <source>cup radius at the rim</source>
+        <translation>cup radius at the rim</translation>
+    </message>
+    <message>
+        <source>cup rim</source>
+        <translation>cup rim</translation>
+    </message>
+    <message>
+        <source>cup slope</source>
+        <translation>cup slope</translation>
+    </message>
+    <message>
+        <source>cup wall</source>
+        <translation>cup wall</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>degrees</translation>
+    </message>
+    <message>
+        <source>dent</source>
+        <translation>dent</translation>
+    </message>
+    <message>
+        <source>dent depth</source>
+        <translation>dent depth</translation>
+    </message>
+    <message>
+        <source>dent radius</source>
+        <translation>dent radius</translation>
+    </message>
+    <message>
+        <source>direction of the tilt</source>
+        <translation>direction of the tilt</translation>
+    </message>
+    <message>
+        <source>distance from eye to target</source>
+        <translation>distance from eye to target</translation>
+    </message>
+    <message>
+        <source>distance of the ruler&apos;s points</source>
+        <translation>distance of the ruler&apos;s points</translation>
+    </message>
+    <message>
+        <source>elevation in degrees</source>
+        <translation>elevation in degrees</translation>
+    </message>
+    <message>
+        <source>ellipse&apos;s centre</source>
+        <translation>ellipse&apos;s centre</translation>
+    </message>
+    <message>
+        <source>event %1: %2</source>
+        <translation>event %1: %2</translation>
+    </message>
+    <message>
+        <source>exaggeration</source>
+        <translation>exaggeration</translation>
+    </message>
+    <message>
+        <source>expected &quot;%1&quot;.</source>
+        <translation>expected &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>expected &quot;levels&quot; or &quot;fine&quot;.</source>
+        <translation>expected &quot;levels&quot; or &quot;fine&quot;.</translation>
+    </message>
+    <message>
+        <source>expected &quot;none&quot;, &quot;several&quot; or the numbers of one.</source>
+        <translation>expected &quot;none&quot;, &quot;several&quot; or the numbers of one.</translation>
+    </message>
+    <message>
+        <source>expected %1 media at most.</source>
+        <translation>expected %1 media at most.</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers, one for each tile.</source>
+        <translation>expected %1 numbers, one for each tile.</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers.</source>
+        <translation>expected %1 numbers.</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2.</source>
+        <translation>expected %1, found %2.</translation>
+    </message>
+    <message>
+        <source>expected 0 or more.</source>
+        <translation>expected 0 or more.</translation>
+    </message>
+    <message>
+        <source>expected 0 to 10000.</source>
+        <translation>expected 0 to 10000.</translation>
+    </message>
+    <message>
+        <source>expected 0 to 10000000.</source>
+        <translation>expected 0 to 10000000.</translation>
+    </message>
+    <message>
+        <source>expected 0 to a million seconds.</source>
+        <translation>expected 0 to a million seconds.</translation>
+    </message>
+    <message>
+        <source>expected 1 to %1 layers.</source>
+        <translation>expected 1 to %1 layers.</translation>
+    </message>
+    <message>
+        <source>expected 4 numbers, seconds x y pressure, found %1.</source>
+        <translation>expected 4 numbers, seconds x y pressure, found %1.</translation>
+    </message>
+    <message>
+        <source>expected a colour and its name, for example [&quot;#783c14&quot;, &quot;Umber&quot;].</source>
+        <translation>expected a colour and its name, for example [&quot;#783c14&quot;, &quot;Umber&quot;].</translation>
+    </message>
+    <message>
+        <source>expected a name that begins with pastoso/.</source>
+        <translation>expected a name that begins with pastoso/.</translation>
+    </message>
+    <message>
+        <source>expected a number for &quot;%1&quot;.</source>
+        <translation>expected a number for &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>expected a number from 1 to 1000.</source>
+        <translation>expected a number from 1 to 1000.</translation>
+    </message>
+    <message>
+        <source>expected a pigment and its parts, for example [&quot;PB29&quot;, 1].</source>
+        <translation>expected a pigment and its parts, for example [&quot;PB29&quot;, 1].</translation>
+    </message>
+    <message>
+        <source>expected a width and a height.</source>
+        <translation>expected a width and a height.</translation>
+    </message>
+    <message>
+        <source>expected an amount of paint up to 1e18.</source>
+        <translation>expected an amount of paint up to 1e18.</translation>
+    </message>
+    <message>
+        <source>expected four numbers, [left, top, right, bottom].</source>
+        <translation>expected four numbers, [left, top, right, bottom].</translation>
+    </message>
+    <message>
+        <source>expected four whole numbers, [left, top, right, bottom].</source>
+        <translation>expected four whole numbers, [left, top, right, bottom].</translation>
+    </message>
+    <message>
+        <source>expected one number for each medium.</source>
+        <translation>expected one number for each medium.</translation>
+    </message>
+    <message>
+        <source>expected one of %1 beside the tick.</source>
+        <translation>expected one of %1 beside the tick.</translation>
+    </message>
+    <message>
+        <source>expected sixteen hexadecimal digits.</source>
+        <translation>expected sixteen hexadecimal digits.</translation>
+    </message>
+    <message>
+        <source>expected the first tile and how many there are.</source>
+        <translation>expected the first tile and how many there are.</translation>
+    </message>
+    <message>
+        <source>expected the name of a file in the journal&apos;s folder.</source>
+        <translation>expected the name of a file in the journal&apos;s folder.</translation>
+    </message>
+    <message>
+        <source>expected three numbers, found %1.</source>
+        <translation>expected three numbers, found %1.</translation>
+    </message>
+    <message>
+        <source>expected three whole numbers, found %1.</source>
+        <translation>expected three whole numbers, found %1.</translation>
+    </message>
+    <message>
+        <source>expected two numbers, [width, height].</source>
+        <translation>expected two numbers, [width, height].</translation>
+    </message>
+    <message>
+        <source>expected two numbers, [x, y].</source>
+        <translation>expected two numbers, [x, y].</translation>
+    </message>
+    <message>
+        <source>expected two numbers, for example [0.5, 0.7].</source>
+        <translation>expected two numbers, for example [0.5, 0.7].</translation>
+    </message>
+    <message>
+        <source>expected two numbers, for example [20, 30].</source>
+        <translation>expected two numbers, for example [20, 30].</translation>
+    </message>
+    <message>
+        <source>fill of the brush</source>
+        <translation>fill of the brush</translation>
+    </message>
+    <message>
+        <source>frame of tea</source>
+        <translation>frame of tea</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>green</translation>
+    </message>
+    <message>
+        <source>group of the layer</source>
+        <translation>group of the layer</translation>
+    </message>
+    <message>
+        <source>grouping layers that do not lie next to each other would tear a group of layers apart.</source>
+        <translation>grouping layers that do not lie next to each other would tear a group of layers apart.</translation>
+    </message>
+    <message>
+        <source>half height of the ellipse</source>
+        <translation>half height of the ellipse</translation>
+    </message>
+    <message>
+        <source>half width of the ellipse</source>
+        <translation>half width of the ellipse</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, but at most 32768 a side and 100 million in all are read.</source>
+        <translation>has %1 x %2 pixels, but at most 32768 a side and 100 million in all are read.</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>height</translation>
+    </message>
+    <message>
+        <source>height of the new canvas</source>
+        <translation>height of the new canvas</translation>
+    </message>
+    <message>
+        <source>height of the picture</source>
+        <translation>height of the picture</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes, but at most %2 are possible here.</source>
+        <translation>holds %1 bytes, but at most %2 are possible here.</translation>
+    </message>
+    <message>
+        <source>holds a parcel (number %1) whose shape is none.</source>
+        <translation>holds a parcel (number %1) whose shape is none.</translation>
+    </message>
+    <message>
+        <source>holds a parcel (number %1) whose values are not finite.</source>
+        <translation>holds a parcel (number %1) whose values are not finite.</translation>
+    </message>
+    <message>
+        <source>holds a particle whose numbers are not finite.</source>
+        <translation>holds a particle whose numbers are not finite.</translation>
+    </message>
+    <message>
+        <source>holds a selection of another canvas than this one.</source>
+        <translation>holds a selection of another canvas than this one.</translation>
+    </message>
+    <message>
+        <source>holds a value of a cell that is not finite.</source>
+        <translation>holds a value of a cell that is not finite.</translation>
+    </message>
+    <message>
+        <source>holds a value that is not a finite number.</source>
+        <translation>holds a value that is not a finite number.</translation>
+    </message>
+    <message>
+        <source>holds an ICC profile that is none (it is damaged).</source>
+        <translation>holds an ICC profile that is none (it is damaged).</translation>
+    </message>
+    <message>
+        <source>holds sizes or numbers that no tank has.</source>
+        <translation>holds sizes or numbers that no tank has.</translation>
+    </message>
+    <message>
+        <source>holds sizes or numbers that no tea has.</source>
+        <translation>holds sizes or numbers that no tea has.</translation>
+    </message>
+    <message>
+        <source>holds sizes or times that no frame has.</source>
+        <translation>holds sizes or times that no frame has.</translation>
+    </message>
+    <message>
+        <source>holds the paint of another brush than the one %1, which has %2 bristles.</source>
+        <translation>holds the paint of another brush than the one %1, which has %2 bristles.</translation>
+    </message>
+    <message>
+        <source>in hand</source>
+        <translation>in hand</translation>
+    </message>
+    <message>
+        <source>is cut off: the end of the JPEG picture is missing.</source>
+        <translation>is cut off: the end of the JPEG picture is missing.</translation>
+    </message>
+    <message>
+        <source>is damaged (%1).</source>
+        <translation>is damaged (%1).</translation>
+    </message>
+    <message>
+        <source>is damaged (it cannot be decompressed, or its checksum is another).</source>
+        <translation>is damaged (it cannot be decompressed, or its checksum is another).</translation>
+    </message>
+    <message>
+        <source>is damaged (it ends within its first %1 bytes).</source>
+        <translation>is damaged (it ends within its first %1 bytes).</translation>
+    </message>
+    <message>
+        <source>is damaged (it is longer than it says).</source>
+        <translation>is damaged (it is longer than it says).</translation>
+    </message>
+    <message>
+        <source>is damaged (it is shorter than it says).</source>
+        <translation>is damaged (it is shorter than it says).</translation>
+    </message>
+    <message>
+        <source>is damaged (its checksum is another).</source>
+        <translation>is damaged (its checksum is another).</translation>
+    </message>
+    <message>
+        <source>is damaged (its header reaches beyond the end).</source>
+        <translation>is damaged (its header reaches beyond the end).</translation>
+    </message>
+    <message>
+        <source>is damaged (its length is not the one that is noted).</source>
+        <translation>is damaged (its length is not the one that is noted).</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes that are read of a WebP picture at most.</source>
+        <translation>is larger than the %1 bytes that are read of a WebP picture at most.</translation>
+    </message>
+    <message>
+        <source>is missing.</source>
+        <translation>is missing.</translation>
+    </message>
+    <message>
+        <source>is no %1.</source>
+        <translation>is no %1.</translation>
+    </message>
+    <message>
+        <source>is no PNG picture</source>
+        <translation>is no PNG picture</translation>
+    </message>
+    <message>
+        <source>is not an image that can be read (it is none of %1).</source>
+        <translation>is not an image that can be read (it is none of %1).</translation>
+    </message>
+    <message>
+        <source>is of version %1, this program reads %2.</source>
+        <translation>is of version %1, this program reads %2.</translation>
+    </message>
+    <message>
+        <source>is stored in tiles of %1 x %2 pixels, but 8 a side are the least that are read.</source>
+        <translation>is stored in tiles of %1 x %2 pixels, but 8 a side are the least that are read.</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>it is damaged</translation>
+    </message>
+    <message>
+        <source>it was reset</source>
+        <translation>it was reset</translation>
+    </message>
+    <message>
+        <source>its end is missing</source>
+        <translation>its end is missing</translation>
+    </message>
+    <message>
+        <source>its memory does not suffice</source>
+        <translation>its memory does not suffice</translation>
+    </message>
+    <message>
+        <source>its strokes %1</source>
+        <translation>its strokes %1</translation>
+    </message>
+    <message>
+        <source>its support is a picture, and comes no finer than that.</source>
+        <translation>its support is a picture, and comes no finer than that.</translation>
+    </message>
+    <message>
+        <source>lamp radiance</source>
+        <translation>lamp radiance</translation>
+    </message>
+    <message>
+        <source>lamp radius</source>
+        <translation>lamp radius</translation>
+    </message>
+    <message>
+        <source>lamp towards</source>
+        <translation>lamp towards</translation>
+    </message>
+    <message>
+        <source>least height</source>
+        <translation>least height</translation>
+    </message>
+    <message>
+        <source>least thickness of wet paint</source>
+        <translation>least thickness of wet paint</translation>
+    </message>
+    <message>
+        <source>linear pictures</source>
+        <translation>linear pictures</translation>
+    </message>
+    <message>
+        <source>memory ran out: what was asked for last is not done, or not whole.</source>
+        <translation>memory ran out: what was asked for last is not done, or not whole.</translation>
+    </message>
+    <message>
+        <source>mesh: &quot;%1&quot; was not read.</source>
+        <translation>mesh: &quot;%1&quot; was not read.</translation>
+    </message>
+    <message>
+        <source>mesh: it is not closed: the edge from %1 to %2 is not shared by exactly two triangles that run along it in opposite directions.</source>
+        <translation>mesh: it is not closed: the edge from %1 to %2 is not shared by exactly two triangles that run along it in opposite directions.</translation>
+    </message>
+    <message>
+        <source>mesh: there are no triangles.</source>
+        <translation>mesh: there are no triangles.</translation>
+    </message>
+    <message>
+        <source>mesh: triangle %1 names vertex %2 of %3.</source>
+        <translation>mesh: triangle %1 names vertex %2 of %3.</translation>
+    </message>
+    <message>
+        <source>mesh: vertex %1 lies at %2, which is no place.</source>
+        <translation>mesh: vertex %1 lies at %2, which is no place.</translation>
+    </message>
+    <message>
+        <source>milk share</source>
+        <translation>milk share</translation>
+    </message>
+    <message>
+        <source>milk share&apos;s cell</source>
+        <translation>milk share&apos;s cell</translation>
+    </message>
+    <message>
+        <source>missing; %1</source>
+        <translation>missing; %1</translation>
+    </message>
+    <message>
+        <source>mixing well</source>
+        <translation>mixing well</translation>
+    </message>
+    <message>
+        <source>most height</source>
+        <translation>most height</translation>
+    </message>
+    <message>
+        <source>most thickness of wet paint</source>
+        <translation>most thickness of wet paint</translation>
+    </message>
+    <message>
+        <source>moving the group there would tear a group of layers apart.</source>
+        <translation>moving the group there would tear a group of layers apart.</translation>
+    </message>
+    <message>
+        <source>moving the layer there would tear a group of layers apart.</source>
+        <translation>moving the layer there would tear a group of layers apart.</translation>
+    </message>
+    <message>
+        <source>name of a group</source>
+        <translation>name of a group</translation>
+    </message>
+    <message>
+        <source>name of a layer</source>
+        <translation>name of a layer</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>no reason given</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>no reason was given</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>number of parts of %1</source>
+        <translation>number of parts of %1</translation>
+    </message>
+    <message>
+        <source>number of the group</source>
+        <translation>number of the group</translation>
+    </message>
+    <message>
+        <source>number of the layer</source>
+        <translation>number of the layer</translation>
+    </message>
+    <message>
+        <source>number of the outline&apos;s points</source>
+        <translation>number of the outline&apos;s points</translation>
+    </message>
+    <message>
+        <source>number of the picture&apos;s pixels</source>
+        <translation>number of the picture&apos;s pixels</translation>
+    </message>
+    <message>
+        <source>number of the symmetry&apos;s copies</source>
+        <translation>number of the symmetry&apos;s copies</translation>
+    </message>
+    <message>
+        <source>opacity of the layer</source>
+        <translation>opacity of the layer</translation>
+    </message>
+    <message>
+        <source>opacity of the tracing picture</source>
+        <translation>opacity of the tracing picture</translation>
+    </message>
+    <message>
+        <source>other tea</source>
+        <translation>other tea</translation>
+    </message>
+    <message>
+        <source>pictures of %1 million pixels are too large; choose a &quot;picture_scale&quot; for at most 100 million.</source>
+        <translation>pictures of %1 million pixels are too large; choose a &quot;picture_scale&quot; for at most 100 million.</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>pixels</translation>
+    </message>
+    <message>
+        <source>place on the cloth in x</source>
+        <translation>place on the cloth in x</translation>
+    </message>
+    <message>
+        <source>place on the cloth in y</source>
+        <translation>place on the cloth in y</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>position of the group</source>
+        <translation>position of the group</translation>
+    </message>
+    <message>
+        <source>position of the layer</source>
+        <translation>position of the layer</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>pressure</translation>
+    </message>
+    <message>
+        <source>pressure of the pen</source>
+        <translation>pressure of the pen</translation>
+    </message>
+    <message>
+        <source>radius of the fan</source>
+        <translation>radius of the fan</translation>
+    </message>
+    <message>
+        <source>reach of the guide</source>
+        <translation>reach of the guide</translation>
+    </message>
+    <message>
+        <source>receding_angle_deg is %1, it must not be larger than advancing_angle_deg, %2.</source>
+        <translation>receding_angle_deg is %1, it must not be larger than advancing_angle_deg, %2.</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>red</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>resolution</translation>
+    </message>
+    <message>
+        <source>resolution in mm</source>
+        <translation>resolution in mm</translation>
+    </message>
+    <message>
+        <source>rotation of the pen</source>
+        <translation>rotation of the pen</translation>
+    </message>
+    <message>
+        <source>roughness on the dry support</source>
+        <translation>roughness on the dry support</translation>
+    </message>
+    <message>
+        <source>roughness on wet paint</source>
+        <translation>roughness on wet paint</translation>
+    </message>
+    <message>
+        <source>ruler&apos;s first point</source>
+        <translation>ruler&apos;s first point</translation>
+    </message>
+    <message>
+        <source>ruler&apos;s second point</source>
+        <translation>ruler&apos;s second point</translation>
+    </message>
+    <message>
+        <source>scale of the transform along %1, without its sign,</source>
+        <translation>scale of the transform along %1, without its sign,</translation>
+    </message>
+    <message>
+        <source>scene format</source>
+        <translation>scene format</translation>
+    </message>
+    <message>
+        <source>scene: %1 is %2, but must be from %3 to %4.</source>
+        <translation>scene: %1 is %2, but must be from %3 to %4.</translation>
+    </message>
+    <message>
+        <source>scene: %1 is 0, but must be a direction.</source>
+        <translation>scene: %1 is 0, but must be a direction.</translation>
+    </message>
+    <message>
+        <source>scene: %1&apos;s corner is %2, but must be the number of a position.</source>
+        <translation>scene: %1&apos;s corner is %2, but must be the number of a position.</translation>
+    </message>
+    <message>
+        <source>scene: %1&apos;s number of normals is %2, but must be 0 or that of its positions.</source>
+        <translation>scene: %1&apos;s number of normals is %2, but must be 0 or that of its positions.</translation>
+    </message>
+    <message>
+        <source>scene: there is not enough memory to trace a mesh of %1 triangles.</source>
+        <translation>scene: there is not enough memory to trace a mesh of %1 triangles.</translation>
+    </message>
+    <message>
+        <source>seed of the brush</source>
+        <translation>seed of the brush</translation>
+    </message>
+    <message>
+        <source>selects nothing.</source>
+        <translation>selects nothing.</translation>
+    </message>
+    <message>
+        <source>shadow softness in mm</source>
+        <translation>shadow softness in mm</translation>
+    </message>
+    <message>
+        <source>share of paint</source>
+        <translation>share of paint</translation>
+    </message>
+    <message>
+        <source>share of the second paint</source>
+        <translation>share of the second paint</translation>
+    </message>
+    <message>
+        <source>share that is wiped off the brush</source>
+        <translation>share that is wiped off the brush</translation>
+    </message>
+    <message>
+        <source>single-precision pictures</source>
+        <translation>single-precision pictures</translation>
+    </message>
+    <message>
+        <source>sky above</source>
+        <translation>sky above</translation>
+    </message>
+    <message>
+        <source>sky below</source>
+        <translation>sky below</translation>
+    </message>
+    <message>
+        <source>smoothing of the stabiliser</source>
+        <translation>smoothing of the stabiliser</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>something else</translation>
+    </message>
+    <message>
+        <source>something went wrong within the program (%1).</source>
+        <translation>something went wrong within the program (%1).</translation>
+    </message>
+    <message>
+        <source>speed of drying</source>
+        <translation>speed of drying</translation>
+    </message>
+    <message>
+        <source>strata that give more light than they get</source>
+        <translation>strata that give more light than they get</translation>
+    </message>
+    <message>
+        <source>strength of the fan</source>
+        <translation>strength of the fan</translation>
+    </message>
+    <message>
+        <source>strength of the paint</source>
+        <translation>strength of the paint</translation>
+    </message>
+    <message>
+        <source>string of the stabiliser</source>
+        <translation>string of the stabiliser</translation>
+    </message>
+    <message>
+        <source>stroke format</source>
+        <translation>stroke format</translation>
+    </message>
+    <message>
+        <source>support relief</source>
+        <translation>support relief</translation>
+    </message>
+    <message>
+        <source>table fading</source>
+        <translation>table fading</translation>
+    </message>
+    <message>
+        <source>table height</source>
+        <translation>table height</translation>
+    </message>
+    <message>
+        <source>table radius</source>
+        <translation>table radius</translation>
+    </message>
+    <message>
+        <source>table reflectance</source>
+        <translation>table reflectance</translation>
+    </message>
+    <message>
+        <source>tank format</source>
+        <translation>tank format</translation>
+    </message>
+    <message>
+        <source>tank wall</source>
+        <translation>tank wall</translation>
+    </message>
+    <message>
+        <source>tea format</source>
+        <translation>tea format</translation>
+    </message>
+    <message>
+        <source>tells of strokes that are later than the painting.</source>
+        <translation>tells of strokes that are later than the painting.</translation>
+    </message>
+    <message>
+        <source>the %1 &quot;%2&quot; is not a whole number from 0 to 255.</source>
+        <translation>the %1 &quot;%2&quot; is not a whole number from 0 to 255.</translation>
+    </message>
+    <message>
+        <source>the %1 %2 is not a number.</source>
+        <translation>the %1 %2 is not a number.</translation>
+    </message>
+    <message>
+        <source>the %1 %2 is not between -1e7 and 1e7.</source>
+        <translation>the %1 %2 is not between -1e7 and 1e7.</translation>
+    </message>
+    <message>
+        <source>the %1 has %2 bytes, but at most %3 are kept.</source>
+        <translation>the %1 has %2 bytes, but at most %3 are kept.</translation>
+    </message>
+    <message>
+        <source>the %1 has %2 x %3 cells, but %4 x %5 of another size are expected.</source>
+        <translation>the %1 has %2 x %3 cells, but %4 x %5 of another size are expected.</translation>
+    </message>
+    <message>
+        <source>the %1 in %2 is %3, but must lie between %4 and %5.</source>
+        <translation>the %1 in %2 is %3, but must lie between %4 and %5.</translation>
+    </message>
+    <message>
+        <source>the %1 is %2, but must lie between %3 and %4.</source>
+        <translation>the %1 is %2, but must lie between %3 and %4.</translation>
+    </message>
+    <message>
+        <source>the %1 is missing.</source>
+        <translation>the %1 is missing.</translation>
+    </message>
+    <message>
+        <source>the active layer is none.</source>
+        <translation>the active layer is none.</translation>
+    </message>
+    <message>
+        <source>the area is empty.</source>
+        <translation>the area is empty.</translation>
+    </message>
+    <message>
+        <source>the brush &quot;%1&quot;</source>
+        <translation>the brush &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the brush %1 is told of only in part.</source>
+        <translation>the brush %1 is told of only in part.</translation>
+    </message>
+    <message>
+        <source>the disk is full; make room on it, or choose another place</source>
+        <translation>the disk is full; make room on it, or choose another place</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deep.</source>
+        <translation>the elements are nested too deep.</translation>
+    </message>
+    <message>
+        <source>the entry &quot;%1&quot; is missing.</source>
+        <translation>the entry &quot;%1&quot; is missing.</translation>
+    </message>
+    <message>
+        <source>the field &quot;%1&quot; is missing.</source>
+        <translation>the field &quot;%1&quot; is missing.</translation>
+    </message>
+    <message>
+        <source>the file ends here, before &quot;endsolid&quot;.</source>
+        <translation>the file ends here, before &quot;endsolid&quot;.</translation>
+    </message>
+    <message>
+        <source>the file ends here, within the head of an STL file.</source>
+        <translation>the file ends here, within the head of an STL file.</translation>
+    </message>
+    <message>
+        <source>the groups within &quot;%1&quot; become part of it.</source>
+        <translation>the groups within &quot;%1&quot; become part of it.</translation>
+    </message>
+    <message>
+        <source>the heading is &quot;%1&quot; instead of &quot;%2&quot;.</source>
+        <translation>the heading is &quot;%1&quot; instead of &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is hidden.</source>
+        <translation>the layer &quot;%1&quot; is hidden.</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is in a group already.</source>
+        <translation>the layer &quot;%1&quot; is in a group already.</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is locked.</source>
+        <translation>the layer &quot;%1&quot; is locked.</translation>
+    </message>
+    <message>
+        <source>the layers are too large in all.</source>
+        <translation>the layers are too large in all.</translation>
+    </message>
+    <message>
+        <source>the layers of a group do not lie next to each other.</source>
+        <translation>the layers of a group do not lie next to each other.</translation>
+    </message>
+    <message>
+        <source>the medium</source>
+        <translation>the medium</translation>
+    </message>
+    <message>
+        <source>the palette has %1, yours %2.</source>
+        <translation>the palette has %1, yours %2.</translation>
+    </message>
+    <message>
+        <source>the palette has %1.</source>
+        <translation>the palette has %1.</translation>
+    </message>
+    <message>
+        <source>the pen touches the canvas with no brush in hand.</source>
+        <translation>the pen touches the canvas with no brush in hand.</translation>
+    </message>
+    <message>
+        <source>the pen touches the mixing well with no brush in hand.</source>
+        <translation>the pen touches the mixing well with no brush in hand.</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>the picture</translation>
+    </message>
+    <message>
+        <source>the picture %1</source>
+        <translation>the picture %1</translation>
+    </message>
+    <message>
+        <source>the picture is no base64.</source>
+        <translation>the picture is no base64.</translation>
+    </message>
+    <message>
+        <source>the pictures of this recording are too large; at most 500 million pixels in all are read.</source>
+        <translation>the pictures of this recording are too large; at most 500 million pixels in all are read.</translation>
+    </message>
+    <message>
+        <source>the pigment has no name.</source>
+        <translation>the pigment has no name.</translation>
+    </message>
+    <message>
+        <source>the power</source>
+        <translation>the power</translation>
+    </message>
+    <message>
+        <source>the power %1 is negative.</source>
+        <translation>the power %1 is negative.</translation>
+    </message>
+    <message>
+        <source>the preset</source>
+        <translation>the preset</translation>
+    </message>
+    <message>
+        <source>the pressure %1 is not between 0 and 1.</source>
+        <translation>the pressure %1 is not between 0 and 1.</translation>
+    </message>
+    <message>
+        <source>the size of the picture is missing.</source>
+        <translation>the size of the picture is missing.</translation>
+    </message>
+    <message>
+        <source>the system refuses this (%1).</source>
+        <translation>the system refuses this (%1).</translation>
+    </message>
+    <message>
+        <source>the tick %1 is earlier than %2 before it.</source>
+        <translation>the tick %1 is earlier than %2 before it.</translation>
+    </message>
+    <message>
+        <source>the tiles hold %1 bytes, which has to be the size and at most %2.</source>
+        <translation>the tiles hold %1 bytes, which has to be the size and at most %2.</translation>
+    </message>
+    <message>
+        <source>the time %1 s is earlier than %2 s before it.</source>
+        <translation>the time %1 s is earlier than %2 s before it.</translation>
+    </message>
+    <message>
+        <source>the time %1 s is not between 0 and 86400 s.</source>
+        <translation>the time %1 s is not between 0 and 86400 s.</translation>
+    </message>
+    <message>
+        <source>the wavelength</source>
+        <translation>the wavelength</translation>
+    </message>
+    <message>
+        <source>the wavelength %1 nm is not greater than that of the line before.</source>
+        <translation>the wavelength %1 nm is not greater than that of the line before.</translation>
+    </message>
+    <message>
+        <source>their paint adds up to more than any canvas holds.</source>
+        <translation>their paint adds up to more than any canvas holds.</translation>
+    </message>
+    <message>
+        <source>there are %1 columns instead of %2.</source>
+        <translation>there are %1 columns instead of %2.</translation>
+    </message>
+    <message>
+        <source>there are %1 paints, but only %2 have room.</source>
+        <translation>there are %1 paints, but only %2 have room.</translation>
+    </message>
+    <message>
+        <source>there are %1 ticks for %2 samples.</source>
+        <translation>there are %1 ticks for %2 samples.</translation>
+    </message>
+    <message>
+        <source>there are %1 tools instead of %2.</source>
+        <translation>there are %1 tools instead of %2.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 layers.</source>
+        <translation>there are more than %1 layers.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 triangles.</source>
+        <translation>there are more than %1 triangles.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 vertices.</source>
+        <translation>there are more than %1 vertices.</translation>
+    </message>
+    <message>
+        <source>there cannot be a group %1.</source>
+        <translation>there cannot be a group %1.</translation>
+    </message>
+    <message>
+        <source>there cannot be a layer %1.</source>
+        <translation>there cannot be a layer %1.</translation>
+    </message>
+    <message>
+        <source>there is another run &quot;%1&quot;.</source>
+        <translation>there is another run &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>there is no brush in hand to take paint with.</source>
+        <translation>there is no brush in hand to take paint with.</translation>
+    </message>
+    <message>
+        <source>there is no field %1.</source>
+        <translation>there is no field %1.</translation>
+    </message>
+    <message>
+        <source>there is no form &quot;%1&quot;; the forms are slab, box, disc, cap, gaussian, cosine, noise and image.</source>
+        <translation>there is no form &quot;%1&quot;; the forms are slab, box, disc, cap, gaussian, cosine, noise and image.</translation>
+    </message>
+    <message>
+        <source>there is no group %1 of layers.</source>
+        <translation>there is no group %1 of layers.</translation>
+    </message>
+    <message>
+        <source>there is no group %1.</source>
+        <translation>there is no group %1.</translation>
+    </message>
+    <message>
+        <source>there is no kind of frame %1.</source>
+        <translation>there is no kind of frame %1.</translation>
+    </message>
+    <message>
+        <source>there is no layer %1.</source>
+        <translation>there is no layer %1.</translation>
+    </message>
+    <message>
+        <source>there is no layer below &quot;%1&quot; to merge it onto.</source>
+        <translation>there is no layer below &quot;%1&quot; to merge it onto.</translation>
+    </message>
+    <message>
+        <source>there is no medium in hand.</source>
+        <translation>there is no medium in hand.</translation>
+    </message>
+    <message>
+        <source>there is no place %1 for a layer; the highest is %2.</source>
+        <translation>there is no place %1 for a layer; the highest is %2.</translation>
+    </message>
+    <message>
+        <source>there is no such entry as &quot;%1&quot; here.</source>
+        <translation>there is no such entry as &quot;%1&quot; here.</translation>
+    </message>
+    <message>
+        <source>there is no such kind of tiles as &quot;%1&quot;.</source>
+        <translation>there is no such kind of tiles as &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>there is no support &quot;%1&quot;; the supports are flat, %2, weave, image, ramp and bump.</source>
+        <translation>there is no support &quot;%1&quot;; the supports are flat, %2, weave, image, ramp and bump.</translation>
+    </message>
+    <message>
+        <source>there is no surface &quot;%1&quot;; a stroke is on the &quot;canvas&quot; or the &quot;well&quot;.</source>
+        <translation>there is no surface &quot;%1&quot;; a stroke is on the &quot;canvas&quot; or the &quot;well&quot;.</translation>
+    </message>
+    <message>
+        <source>there is no visible layer to flatten.</source>
+        <translation>there is no visible layer to flatten.</translation>
+    </message>
+    <message>
+        <source>there is no way &quot;%1&quot; to select; they are replace, add, subtract and intersect.</source>
+        <translation>there is no way &quot;%1&quot; to select; they are replace, add, subtract and intersect.</translation>
+    </message>
+    <message>
+        <source>this is no journal of a painting.</source>
+        <translation>this is no journal of a painting.</translation>
+    </message>
+    <message>
+        <source>this is no list of layers; it would begin with &lt;image&gt;.</source>
+        <translation>this is no list of layers; it would begin with &lt;image&gt;.</translation>
+    </message>
+    <message>
+        <source>this is no painting of Pastoso; it would begin with &quot;format&quot;: &quot;pastoso-project&quot;.</source>
+        <translation>this is no painting of Pastoso; it would begin with &quot;format&quot;: &quot;pastoso-project&quot;.</translation>
+    </message>
+    <message>
+        <source>this is not %1; it would begin with &quot;format&quot;: &quot;%2&quot;.</source>
+        <translation>this is not %1; it would begin with &quot;format&quot;: &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>this is not a GIMP palette; it would begin with &quot;GIMP Palette&quot;.</source>
+        <translation>this is not a GIMP palette; it would begin with &quot;GIMP Palette&quot;.</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON: %1.</source>
+        <translation>this is not valid JSON: %1.</translation>
+    </message>
+    <message>
+        <source>this is not valid XML (%1).</source>
+        <translation>this is not valid XML (%1).</translation>
+    </message>
+    <message>
+        <source>this makes %1 cells; 1 to %2 are possible.</source>
+        <translation>this makes %1 cells; 1 to %2 are possible.</translation>
+    </message>
+    <message>
+        <source>this must be an object in braces.</source>
+        <translation>this must be an object in braces.</translation>
+    </message>
+    <message>
+        <source>this paint</source>
+        <translation>this paint</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (%1 %2; this program reads up to %3).</source>
+        <translation>this was written by a newer Pastoso (%1 %2; this program reads up to %3).</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (journal format %1; this program reads up to %2).</source>
+        <translation>this was written by a newer Pastoso (journal format %1; this program reads up to %2).</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (project format %1; this program reads up to %2).</source>
+        <translation>this was written by a newer Pastoso (project format %1; this program reads up to %2).</translation>
+    </message>
+    <message>
+        <source>tile %1 comes twice.</source>
+        <translation>tile %1 comes twice.</translation>
+    </message>
+    <message>
+        <source>tile %1 moves as no paint can.</source>
+        <translation>tile %1 moves as no paint can.</translation>
+    </message>
+    <message>
+        <source>tile %1 moves, but there is no &quot;window&quot; that it started from.</source>
+        <translation>tile %1 moves, but there is no &quot;window&quot; that it started from.</translation>
+    </message>
+    <message>
+        <source>tile %1 sleeps, and yet its motion is followed.</source>
+        <translation>tile %1 sleeps, and yet its motion is followed.</translation>
+    </message>
+    <message>
+        <source>tilt of the canvas</source>
+        <translation>tilt of the canvas</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>time</translation>
+    </message>
+    <message>
+        <source>time of the pen</source>
+        <translation>time of the pen</translation>
+    </message>
+    <message>
+        <source>touch_dry_s is %1, it must not be larger than typical_thickness_mm times %2.</source>
+        <translation>touch_dry_s is %1, it must not be larger than typical_thickness_mm times %2.</translation>
+    </message>
+    <message>
+        <source>trace settings: a side of the picture is %1, but must be from 1 to 16384 pixels.</source>
+        <translation>trace settings: a side of the picture is %1, but must be from 1 to 16384 pixels.</translation>
+    </message>
+    <message>
+        <source>trace settings: brightest is %1, but must be above 0 and finite.</source>
+        <translation>trace settings: brightest is %1, but must be above 0 and finite.</translation>
+    </message>
+    <message>
+        <source>trace settings: most_events is %1, but must be at least 1.</source>
+        <translation>trace settings: most_events is %1, but must be at least 1.</translation>
+    </message>
+    <message>
+        <source>transform&apos;s centre</source>
+        <translation>transform&apos;s centre</translation>
+    </message>
+    <message>
+        <source>transform&apos;s move</source>
+        <translation>transform&apos;s move</translation>
+    </message>
+    <message>
+        <source>transform&apos;s scale</source>
+        <translation>transform&apos;s scale</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true or false</translation>
+    </message>
+    <message>
+        <source>turn of the ellipse</source>
+        <translation>turn of the ellipse</translation>
+    </message>
+    <message>
+        <source>turn of the transform</source>
+        <translation>turn of the transform</translation>
+    </message>
+    <message>
+        <source>variation of the share</source>
+        <translation>variation of the share</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>version %1</translation>
+    </message>
+    <message>
+        <source>versions %1 to %2</source>
+        <translation>versions %1 to %2</translation>
+    </message>
+    <message>
+        <source>volume of the squeezed paint</source>
+        <translation>volume of the squeezed paint</translation>
+    </message>
+    <message>
+        <source>were painted with an earlier version of the program (arithmetic %1, now %2): replayed, they come out a little differently.</source>
+        <translation>were painted with an earlier version of the program (arithmetic %1, now %2): replayed, they come out a little differently.</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>width</translation>
+    </message>
+    <message>
+        <source>width of the brush</source>
+        <translation>width of the brush</translation>
+    </message>
+    <message>
+        <source>width of the new canvas</source>
+        <translation>width of the new canvas</translation>
+    </message>
+    <message>
+        <source>width of the picture</source>
+        <translation>width of the picture</translation>
+    </message>
+    <message>
+        <source>window radiance</source>
+        <translation>window radiance</translation>
+    </message>
+    <message>
+        <source>window radius</source>
+        <translation>window radius</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>x of the %1</source>
+        <translation>x of the %1</translation>
+    </message>
+    <message>
+        <source>x of the centre of the symmetry</source>
+        <translation>x of the centre of the symmetry</translation>
+    </message>
+    <message>
+        <source>x of the fan</source>
+        <translation>x of the fan</translation>
+    </message>
+    <message>
+        <source>x of the new canvas</source>
+        <translation>x of the new canvas</translation>
+    </message>
+    <message>
+        <source>x of the pen</source>
+        <translation>x of the pen</translation>
+    </message>
+    <message>
+        <source>x of the picture</source>
+        <translation>x of the picture</translation>
+    </message>
+    <message>
+        <source>x of the squeezed paint</source>
+        <translation>x of the squeezed paint</translation>
+    </message>
+    <message>
+        <source>x tilt of the pen</source>
+        <translation>x tilt of the pen</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>y of the %1</source>
+        <translation>y of the %1</translation>
+    </message>
+    <message>
+        <source>y of the centre of the symmetry</source>
+        <translation>y of the centre of the symmetry</translation>
+    </message>
+    <message>
+        <source>y of the fan</source>
+        <translation>y of the fan</translation>
+    </message>
+    <message>
+        <source>y of the new canvas</source>
+        <translation>y of the new canvas</translation>
+    </message>
+    <message>
+        <source>y of the pen</source>
+        <translation>y of the pen</translation>
+    </message>
+    <message>
+        <source>y of the picture</source>
+        <translation>y of the picture</translation>
+    </message>
+    <message>
+        <source>y of the squeezed paint</source>
+        <translation>y of the squeezed paint</translation>
+    </message>
+    <message>
+        <source>y tilt of the pen</source>
+        <translation>y tilt of the pen</translation>
+    </message>
+    <message>
+        <source>yellowing</source>
+        <translation>yellowing</translation>
+    </message>
+    <message>
+        <source>your share of the disk is used up; make room on it, or choose another place</source>
+        <translation>your share of the disk is used up; make room on it, or choose another place</translation>
+    </message>
+    <message>
+        <source>difference of the colour</source>
+        <translation>difference of the colour</translation>
+    </message>
+    <message>
+        <source>gradient&apos;s point</source>
+        <translation>gradient&apos;s point</translation>
+    </message>
+    <message>
+        <source>length of the gradient&apos;s line</source>
+        <translation>length of the gradient&apos;s line</translation>
+    </message>
+    <message>
+        <source>no paint has been copied that could be pasted.</source>
+        <translation>no paint has been copied that could be pasted.</translation>
+    </message>
+    <message>
+        <source>number of points of the gradient&apos;s line</source>
+        <translation>number of points of the gradient&apos;s line</translation>
+    </message>
+    <message>
+        <source>number of quarter turns</source>
+        <translation>number of quarter turns</translation>
+    </message>
+    <message>
+        <source>outline&apos;s point</source>
+        <translation>outline&apos;s point</translation>
+    </message>
+    <message>
+        <source>there is no visible layer to copy.</source>
+        <translation>there is no visible layer to copy.</translation>
+    </message>
+    <message>
+        <source>thickness of the film</source>
+        <translation>thickness of the film</translation>
+    </message>
+    <message>
+        <source>way from where it was copied</source>
+        <translation>way from where it was copied</translation>
+    </message>
+    <message>
+        <source>width of the margin</source>
+        <translation>width of the margin</translation>
+    </message>
+    <message>
+        <source>x of the colour&apos;s place</source>
+        <translation>x of the colour&apos;s place</translation>
+    </message>
+    <message>
+        <source>y of the colour&apos;s place</source>
+        <translation>y of the colour&apos;s place</translation>
+    </message>
+    <message>
+        <source>%1: is no bundle of tools; it has no %2.</source>
+        <translation>%1: is no bundle of tools; it has no %2.</translation>
+    </message>
+    <message>
+        <source>name is &quot;%1&quot;, which another tool of the bundle has already.</source>
+        <translation>name is &quot;%1&quot;, which another tool of the bundle has already.</translation>
+    </message>
+    <message>
+        <source>there are %1 tools, more than %2.</source>
+        <translation>there are %1 tools, more than %2.</translation>
+    </message>
+    <message>
+        <source>copied paint</source>
+        <translation>copied paint</translation>
+    </message>
+</context>
+<context>
     <name>ExamplePaintings</name>
     <message>
         <source>Still life</source>
@@ -557,6 +3240,14 @@
         <source>About Pastoso</source>
         <translation>About Pastoso</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edit</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favourite</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -619,6 +3310,13 @@
     <message>
         <source>Abort</source>
         <translation>Abort</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionMargins</name>
+    <message>
+        <source>Width</source>
+        <translation>Width</translation>
     </message>
 </context>
 <context>
@@ -982,6 +3680,178 @@
     <message>
         <source>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</source>
         <translation>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</translation>
+    </message>
+    <message>
+        <source>Width of the tip.</source>
+        <translation>Width of the tip.</translation>
+    </message>
+    <message>
+        <source>Thickness of the tip; a round one is as thick as it is wide.</source>
+        <translation>Thickness of the tip; a round one is as thick as it is wide.</translation>
+    </message>
+    <message>
+        <source>Length of the free hairs.</source>
+        <translation>Length of the free hairs.</translation>
+    </message>
+    <message>
+        <source>How much shorter the outermost hairs are; at most the length.</source>
+        <translation>How much shorter the outermost hairs are; at most the length.</translation>
+    </message>
+    <message>
+        <source>Elements that the tip is made of.</source>
+        <translation>Elements that the tip is made of.</translation>
+    </message>
+    <message>
+        <source>Fine streaks within one element.</source>
+        <translation>Fine streaks within one element.</translation>
+    </message>
+    <message>
+        <source>Makes one piece differ from the next.</source>
+        <translation>Makes one piece differ from the next.</translation>
+    </message>
+    <message>
+        <source>How far a bent hair trails behind the hand.</source>
+        <translation>How far a bent hair trails behind the hand.</translation>
+    </message>
+    <message>
+        <source>How far the hairs spread at full pressure.</source>
+        <translation>How far the hairs spread at full pressure.</translation>
+    </message>
+    <message>
+        <source>How long the hairs trail after a turn.</source>
+        <translation>How long the hairs trail after a turn.</translation>
+    </message>
+    <message>
+        <source>Way of the ferrule at full pressure, in hair lengths.</source>
+        <translation>Way of the ferrule at full pressure, in hair lengths.</translation>
+    </message>
+    <message>
+        <source>How much a lean lowers one side.</source>
+        <translation>How much a lean lowers one side.</translation>
+    </message>
+    <message>
+        <source>How steeply hairs follow the weave down: little gives dry brush.</source>
+        <translation>How steeply hairs follow the weave down: little gives dry brush.</translation>
+    </message>
+    <message>
+        <source>0: every hair for itself, 1: one stiff edge.</source>
+        <translation>0: every hair for itself, 1: one stiff edge.</translation>
+    </message>
+    <message>
+        <source>How far wet paint carries it in a light hand, off the ground.</source>
+        <translation>How far wet paint carries it in a light hand, off the ground.</translation>
+    </message>
+    <message>
+        <source>Wet film that a full brush leaves.</source>
+        <translation>Wet film that a full brush leaves.</translation>
+    </message>
+    <message>
+        <source>Stroke that a full load lasts.</source>
+        <translation>Stroke that a full load lasts.</translation>
+    </message>
+    <message>
+        <source>Ridges between bristles, in films.</source>
+        <translation>Ridges between bristles, in films.</translation>
+    </message>
+    <message>
+        <source>Streaks of single hairs, in films.</source>
+        <translation>Streaks of single hairs, in films.</translation>
+    </message>
+    <message>
+        <source>Difference from bristle to bristle.</source>
+        <translation>Difference from bristle to bristle.</translation>
+    </message>
+    <message>
+        <source>How far each dip gathers the hairs anew; 0: never.</source>
+        <translation>How far each dip gathers the hairs anew; 0: never.</translation>
+    </message>
+    <message>
+        <source>Extra film along the edges, in films.</source>
+        <translation>Extra film along the edges, in films.</translation>
+    </message>
+    <message>
+        <source>Extra film where the stroke starts.</source>
+        <translation>Extra film where the stroke starts.</translation>
+    </message>
+    <message>
+        <source>Share of the load that stays on lifting.</source>
+        <translation>Share of the load that stays on lifting.</translation>
+    </message>
+    <message>
+        <source>Depth that hanging paint bridges, in films.</source>
+        <translation>Depth that hanging paint bridges, in films.</translation>
+    </message>
+    <message>
+        <source>Share of the paint in the way that is taken up.</source>
+        <translation>Share of the paint in the way that is taken up.</translation>
+    </message>
+    <message>
+        <source>How fast it mixes with the paint below.</source>
+        <translation>How fast it mixes with the paint below.</translation>
+    </message>
+    <message>
+        <source>Exchange between neighbouring hairs.</source>
+        <translation>Exchange between neighbouring hairs.</translation>
+    </message>
+    <message>
+        <source>How far a fast stroke drags paint along and ploughs it aside.</source>
+        <translation>How far a fast stroke drags paint along and ploughs it aside.</translation>
+    </message>
+    <message>
+        <source>Fill above which paint is pushed out sideways.</source>
+        <translation>Fill above which paint is pushed out sideways.</translation>
+    </message>
+    <message>
+        <source>Step, in radii of an element.</source>
+        <translation>Step, in radii of an element.</translation>
+    </message>
+    <message>
+        <source>Least step.</source>
+        <translation>Least step.</translation>
+    </message>
+    <message>
+        <source>Time over which the hand is steadied.</source>
+        <translation>Time over which the hand is steadied.</translation>
+    </message>
+    <message>
+        <source>Length of the string that pulls the tip.</source>
+        <translation>Length of the string that pulls the tip.</translation>
+    </message>
+    <message>
+        <source>Mean volume of a drop.</source>
+        <translation>Mean volume of a drop.</translation>
+    </message>
+    <message>
+        <source>How much drops differ.</source>
+        <translation>How much drops differ.</translation>
+    </message>
+    <message>
+        <source>Paint let go while the pen is down.</source>
+        <translation>Paint let go while the pen is down.</translation>
+    </message>
+    <message>
+        <source>A drop let go when the pen comes down.</source>
+        <translation>A drop let go when the pen comes down.</translation>
+    </message>
+    <message>
+        <source>What the bottle holds.</source>
+        <translation>What the bottle holds.</translation>
+    </message>
+    <message>
+        <source>Height over radius of a drop that has landed.</source>
+        <translation>Height over radius of a drop that has landed.</translation>
+    </message>
+    <message>
+        <source>0: evenly over the width, 1: thickest in the middle.</source>
+        <translation>0: evenly over the width, 1: thickest in the middle.</translation>
+    </message>
+    <message>
+        <source>Time that drops fly on with the speed of the tip.</source>
+        <translation>Time that drops fly on with the speed of the tip.</translation>
+    </message>
+    <message>
+        <source>Pressure in the middle of the jet.</source>
+        <translation>Pressure in the middle of the jet.</translation>
     </message>
 </context>
 <context>
@@ -2334,6 +5204,218 @@
         <source>The layers as pictures for other programs, in OpenRaster or PSD</source>
         <translation>The layers as pictures for other programs, in OpenRaster or PSD</translation>
     </message>
+    <message>
+        <source>&amp;Image</source>
+        <translation>&amp;Image</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cu&amp;t</translation>
+    </message>
+    <message>
+        <source>Copy the layer&apos;s paint, or what is selected of it, and wipe it off</source>
+        <translation>Copy the layer&apos;s paint, or what is selected of it, and wipe it off</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copy</translation>
+    </message>
+    <message>
+        <source>Keep the layer&apos;s paint, or what is selected of it, to be pasted: wet as it is, and as a picture for other programs</source>
+        <translation>Keep the layer&apos;s paint, or what is selected of it, to be pasted: wet as it is, and as a picture for other programs</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y merged</source>
+        <translation>Cop&amp;y merged</translation>
+    </message>
+    <message>
+        <source>The same of all layers that are visible, as if they were one</source>
+        <translation>The same of all layers that are visible, as if they were one</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Paste</translation>
+    </message>
+    <message>
+        <source>What was copied as a new layer: paint where it was, or a picture of another program as dry paint</source>
+        <translation>What was copied as a new layer: paint where it was, or a picture of another program as dry paint</translation>
+    </message>
+    <message>
+        <source>Paste &amp;at cursor</source>
+        <translation>Paste &amp;at cursor</translation>
+    </message>
+    <message>
+        <source>The same, with the middle of the copied paint where the pointer is</source>
+        <translation>The same, with the middle of the copied paint where the pointer is</translation>
+    </message>
+    <message>
+        <source>Mirror image &amp;horizontally</source>
+        <translation>Mirror image &amp;horizontally</translation>
+    </message>
+    <message>
+        <source>Left and right of the whole painting change places, canvas and all</source>
+        <translation>Left and right of the whole painting change places, canvas and all</translation>
+    </message>
+    <message>
+        <source>Mirror image &amp;vertically</source>
+        <translation>Mirror image &amp;vertically</translation>
+    </message>
+    <message>
+        <source>Top and bottom of the whole painting change places, canvas and all</source>
+        <translation>Top and bottom of the whole painting change places, canvas and all</translation>
+    </message>
+    <message>
+        <source>Rotate image 90° to the &amp;right</source>
+        <translation>Rotate image 90° to the &amp;right</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its right side</source>
+        <translation>The whole painting stands on its right side</translation>
+    </message>
+    <message>
+        <source>Rotate image 90° to the &amp;left</source>
+        <translation>Rotate image 90° to the &amp;left</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its left side</source>
+        <translation>The whole painting stands on its left side</translation>
+    </message>
+    <message>
+        <source>Rotate image &amp;180°</source>
+        <translation>Rotate image &amp;180°</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its head</source>
+        <translation>The whole painting stands on its head</translation>
+    </message>
+    <message>
+        <source>F&amp;ill with the paint in hand</source>
+        <translation>F&amp;ill with the paint in hand</translation>
+    </message>
+    <message>
+        <source>Pour an even film of wet paint over what is selected, or over the whole canvas</source>
+        <translation>Pour an even film of wet paint over what is selected, or over the whole canvas</translation>
+    </message>
+    <message>
+        <source>Fill with the s&amp;econd paint</source>
+        <translation>Fill with the s&amp;econd paint</translation>
+    </message>
+    <message>
+        <source>Pour an even film of the second paint over what is selected</source>
+        <translation>Pour an even film of the second paint over what is selected</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient of the two paints</source>
+        <translation>&amp;Gradient of the two paints</translation>
+    </message>
+    <message>
+        <source>Drag a line: the film goes from the paint in hand to the second one along it</source>
+        <translation>Drag a line: the film goes from the paint in hand to the second one along it</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness of fills...</source>
+        <translation>&amp;Thickness of fills...</translation>
+    </message>
+    <message>
+        <source>How thick a film of paint fills and gradients pour</source>
+        <translation>How thick a film of paint fills and gradients pour</translation>
+    </message>
+    <message>
+        <source>Elli&amp;pse</source>
+        <translation>Elli&amp;pse</translation>
+    </message>
+    <message>
+        <source>Drag an ellipse that tools keep to; Shift adds, Alt takes away, Ctrl makes a circle</source>
+        <translation>Drag an ellipse that tools keep to; Shift adds, Alt takes away, Ctrl makes a circle</translation>
+    </message>
+    <message>
+        <source>Pol&amp;ygon</source>
+        <translation>Pol&amp;ygon</translation>
+    </message>
+    <message>
+        <source>Click the corners of what tools keep to; Enter or a double click closes it</source>
+        <translation>Click the corners of what tools keep to; Enter or a double click closes it</translation>
+    </message>
+    <message>
+        <source>&amp;Contiguous colour</source>
+        <translation>&amp;Contiguous colour</translation>
+    </message>
+    <message>
+        <source>Click a colour: what hangs together there is selected; drag for more or less of it</source>
+        <translation>Click a colour: what hangs together there is selected; drag for more or less of it</translation>
+    </message>
+    <message>
+        <source>&amp;Similar colour</source>
+        <translation>&amp;Similar colour</translation>
+    </message>
+    <message>
+        <source>Click a colour: it is selected wherever it is; drag for more or less of it</source>
+        <translation>Click a colour: it is selected wherever it is; drag for more or less of it</translation>
+    </message>
+    <message>
+        <source>&amp;Grow...</source>
+        <translation>&amp;Grow...</translation>
+    </message>
+    <message>
+        <source>Make the selection wider on all sides</source>
+        <translation>Make the selection wider on all sides</translation>
+    </message>
+    <message>
+        <source>Shri&amp;nk...</source>
+        <translation>Shri&amp;nk...</translation>
+    </message>
+    <message>
+        <source>Make the selection narrower on all sides</source>
+        <translation>Make the selection narrower on all sides</translation>
+    </message>
+    <message>
+        <source>&amp;Border...</source>
+        <translation>&amp;Border...</translation>
+    </message>
+    <message>
+        <source>Select a band along the outline of the selection</source>
+        <translation>Select a band along the outline of the selection</translation>
+    </message>
+    <message>
+        <source>&amp;From the layer</source>
+        <translation>&amp;From the layer</translation>
+    </message>
+    <message>
+        <source>Select where the layer has paint, wet or dry</source>
+        <translation>Select where the layer has paint, wet or dry</translation>
+    </message>
+    <message>
+        <source>Brush e&amp;ditor...</source>
+        <translation>Brush e&amp;ditor...</translation>
+    </message>
+    <message>
+        <source>Every number of the tool in hand, and the stroke that it paints</source>
+        <translation>Every number of the tool in hand, and the stroke that it paints</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>&amp;Favourite</translation>
+    </message>
+    <message>
+        <source>Keep the tool in hand among your favourites, which the list can show alone</source>
+        <translation>Keep the tool in hand among your favourites, which the list can show alone</translation>
+    </message>
+    <message>
+        <source>&amp;Import tools...</source>
+        <translation>&amp;Import tools...</translation>
+    </message>
+    <message>
+        <source>Add the tools of a bundle to your own</source>
+        <translation>Add the tools of a bundle to your own</translation>
+    </message>
+    <message>
+        <source>E&amp;xport my tools...</source>
+        <translation>E&amp;xport my tools...</translation>
+    </message>
+    <message>
+        <source>Write all tools of your own into a bundle, a file to keep or to give away</source>
+        <translation>Write all tools of your own into a bundle, a file to keep or to give away</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2360,26 +5442,6 @@
     <message>
         <source>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</source>
         <translation>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</translation>
-    </message>
-    <message>
-        <source>%1 is a file; numbered pictures go into a folder.</source>
-        <translation>%1 is a file; numbered pictures go into a folder.</translation>
-    </message>
-    <message>
-        <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
-        <translation>The folder %1 holds the frames of another time-lapse; name another one.</translation>
-    </message>
-    <message>
-        <source>Nothing has been painted yet that a film could show.</source>
-        <translation>Nothing has been painted yet that a film could show.</translation>
-    </message>
-    <message>
-        <source>The file needs a name.</source>
-        <translation>The file needs a name.</translation>
-    </message>
-    <message>
-        <source>There is no folder %1.</source>
-        <translation>There is no folder %1.</translation>
     </message>
     <message numerus="yes">
         <source>%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.</source>
@@ -2859,6 +5921,13 @@
     <message>
         <source>Forget my own</source>
         <translation>Forget my own</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::LengthDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +6463,14 @@
     <message>
         <source>Place of the traced picture</source>
         <translation>Place of the traced picture</translation>
+    </message>
+    <message>
+        <source>Paint pasted</source>
+        <translation>Paint pasted</translation>
+    </message>
+    <message>
+        <source>Filled with paint</source>
+        <translation>Filled with paint</translation>
     </message>
 </context>
 <context>
@@ -4565,6 +7642,44 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::BrushBundles</name>
+    <message>
+        <source>Import tools</source>
+        <translation>Import tools</translation>
+    </message>
+    <message>
+        <source>Bundles of tools (*.zip)</source>
+        <translation>Bundles of tools (*.zip)</translation>
+    </message>
+    <message>
+        <source>You have all tools of that bundle already.</source>
+        <translation>You have all tools of that bundle already.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tool(s) added to your own.</source>
+        <translation>
+            <numerusform>%n tool added to your own.</numerusform>
+            <numerusform>%n tools added to your own.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have no tools of your own yet; save the one in hand first.</source>
+        <translation>You have no tools of your own yet; save the one in hand first.</translation>
+    </message>
+    <message>
+        <source>Export my tools</source>
+        <translation>Export my tools</translation>
+    </message>
+    <message>
+        <source>my-tools.zip</source>
+        <translation>my-tools.zip</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Saved %1.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::BrushJar</name>
     <message>
         <source>%1 was read again; the next stroke is painted with it.</source>
@@ -4636,6 +7751,25 @@
     <message>
         <source>Meanwhile the canvas has become another one; that keeps its size.</source>
         <translation>Meanwhile the canvas has become another one; that keeps its size.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Clipboard</name>
+    <message>
+        <source>There is no paint to copy here.</source>
+        <translation>There is no paint to copy here.</translation>
+    </message>
+    <message>
+        <source>Copied; paste it as a layer, or as a picture in another program.</source>
+        <translation>Copied; paste it as a layer, or as a picture in another program.</translation>
+    </message>
+    <message>
+        <source>Pasted</source>
+        <translation>Pasted</translation>
+    </message>
+    <message>
+        <source>There is nothing to paste: no paint and no picture has been copied.</source>
+        <translation>There is nothing to paste: no paint and no picture has been copied.</translation>
     </message>
 </context>
 <context>
@@ -4774,6 +7908,49 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::FillCommands</name>
+    <message>
+        <source>Nothing was poured. Esc again goes back to painting.</source>
+        <translation>Nothing was poured. Esc again goes back to painting.</translation>
+    </message>
+    <message>
+        <source>Drag a line from the paint in hand to the second paint; Shift keeps it level, upright or halfway. Esc, or taking a tool, goes back to painting.</source>
+        <translation>Drag a line from the paint in hand to the second paint; Shift keeps it level, upright or halfway. Esc, or taking a tool, goes back to painting.</translation>
+    </message>
+    <message>
+        <source>The brush paints again.</source>
+        <translation>The brush paints again.</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>A recording is being played; the paint is yours when it has ended.</translation>
+    </message>
+    <message>
+        <source>%1 mm of paint are poured over the whole canvas.</source>
+        <translation>%1 mm of paint are poured over the whole canvas.</translation>
+    </message>
+    <message>
+        <source>%1 mm of paint are poured over what is selected.</source>
+        <translation>%1 mm of paint are poured over what is selected.</translation>
+    </message>
+    <message>
+        <source>Thickness of fills</source>
+        <translation>Thickness of fills</translation>
+    </message>
+    <message>
+        <source>Fills and gradients pour an even film of wet paint, as thick as this: 0.05 mm shows what lies below, 0.2 mm covers, 1 mm stands as a paste.</source>
+        <translation>Fills and gradients pour an even film of wet paint, as thick as this: 0.05 mm shows what lies below, 0.2 mm covers, 1 mm stands as a paste.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Thickness</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Keep</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::GlassMode</name>
     <message>
         <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
@@ -4864,6 +8041,13 @@
     <message>
         <source>%1: wait for it, or cancel it.</source>
         <translation>%1: wait for it, or cancel it.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Margin</name>
+    <message>
+        <source>Nothing would be left of the selection.</source>
+        <translation>Nothing would be left of the selection.</translation>
     </message>
 </context>
 <context>
@@ -5276,6 +8460,77 @@
     <message>
         <source>rectangle</source>
         <translation>rectangle</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>ellipse</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>polygon</translation>
+    </message>
+    <message>
+        <source>contiguous colour</source>
+        <translation>contiguous colour</translation>
+    </message>
+    <message>
+        <source>similar colour</source>
+        <translation>similar colour</translation>
+    </message>
+    <message>
+        <source>Click the colour that tools shall keep to; drag to the right for more, to the left for less of it. Shift adds, Alt takes away, both keep what is in both.</source>
+        <translation>Click the colour that tools shall keep to; drag to the right for more, to the left for less of it. Shift adds, Alt takes away, both keep what is in both.</translation>
+    </message>
+    <message>
+        <source>Click the corners of what tools shall keep to. Enter or a double click closes it, Backspace takes the last corner back, Esc gives it up.</source>
+        <translation>Click the corners of what tools shall keep to. Enter or a double click closes it, Backspace takes the last corner back, Esc gives it up.</translation>
+    </message>
+    <message>
+        <source>Colours that differ by up to %1. Drag to the right for more, to the left for less.</source>
+        <translation>Colours that differ by up to %1. Drag to the right for more, to the left for less.</translation>
+    </message>
+    <message>
+        <source>Tools keep to colours that differ by up to %1 from the one there. Esc, or taking a tool, goes back to painting.</source>
+        <translation>Tools keep to colours that differ by up to %1 from the one there. Esc, or taking a tool, goes back to painting.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::SelectionMargins</name>
+    <message>
+        <source>Grow the selection</source>
+        <translation>Grow the selection</translation>
+    </message>
+    <message>
+        <source>The selection becomes so much wider on all sides.</source>
+        <translation>The selection becomes so much wider on all sides.</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Grow</translation>
+    </message>
+    <message>
+        <source>Shrink the selection</source>
+        <translation>Shrink the selection</translation>
+    </message>
+    <message>
+        <source>The selection becomes so much narrower on all sides, but not along the edges of the canvas.</source>
+        <translation>The selection becomes so much narrower on all sides, but not along the edges of the canvas.</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Shrink</translation>
+    </message>
+    <message>
+        <source>Border of the selection</source>
+        <translation>Border of the selection</translation>
+    </message>
+    <message>
+        <source>Selects a band so wide along the outline, half of it on either side.</source>
+        <translation>Selects a band so wide along the outline, half of it on either side.</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Select</translation>
     </message>
 </context>
 <context>
@@ -5729,6 +8984,392 @@
     <message>
         <source>How far it has to run before it is loosened, in times its own thickness</source>
         <translation>How far it has to run before it is loosened, in times its own thickness</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>round</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>flat</translation>
+    </message>
+    <message>
+        <source>filbert</source>
+        <translation>filbert</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>fan</translation>
+    </message>
+    <message>
+        <source>knife</source>
+        <translation>knife</translation>
+    </message>
+    <message>
+        <source>comb</source>
+        <translation>comb</translation>
+    </message>
+    <message>
+        <source>soft pad</source>
+        <translation>soft pad</translation>
+    </message>
+    <message>
+        <source>used as it is</source>
+        <translation>used as it is</translation>
+    </message>
+    <message>
+        <source>dipped in paint</source>
+        <translation>dipped in paint</translation>
+    </message>
+    <message>
+        <source>stays on the tool</source>
+        <translation>stays on the tool</translation>
+    </message>
+    <message>
+        <source>is thrown away</source>
+        <translation>is thrown away</translation>
+    </message>
+    <message>
+        <source>another in each stroke</source>
+        <translation>another in each stroke</translation>
+    </message>
+    <message>
+        <source>always the same</source>
+        <translation>always the same</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Shape</translation>
+    </message>
+    <message>
+        <source>How the elements of the tip are arranged.</source>
+        <translation>How the elements of the tip are arranged.</translation>
+    </message>
+    <message>
+        <source>Before use</source>
+        <translation>Before use</translation>
+    </message>
+    <message>
+        <source>A brush is dipped; a rag or a comb is used as it is.</source>
+        <translation>A brush is dipped; a rag or a comb is used as it is.</translation>
+    </message>
+    <message>
+        <source>What it takes</source>
+        <translation>What it takes</translation>
+    </message>
+    <message>
+        <source>A rag throws away what it takes up; it never comes back.</source>
+        <translation>A rag throws away what it takes up; it never comes back.</translation>
+    </message>
+    <message>
+        <source>Chance</source>
+        <translation>Chance</translation>
+    </message>
+    <message>
+        <source>Small random differences, such as where drops fall.</source>
+        <translation>Small random differences, such as where drops fall.</translation>
+    </message>
+    <message>
+        <source>%1 From %2 to %3%4.</source>
+        <translation>%1 From %2 to %3%4.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Width</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Thickness</translation>
+    </message>
+    <message>
+        <source>Hair length</source>
+        <translation>Hair length</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Bristles</source>
+        <translation>Bristles</translation>
+    </message>
+    <message>
+        <source>Hairs in each</source>
+        <translation>Hairs in each</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Piece</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Bend</translation>
+    </message>
+    <message>
+        <source>Splay</source>
+        <translation>Splay</translation>
+    </message>
+    <message>
+        <source>Trail</source>
+        <translation>Trail</translation>
+    </message>
+    <message>
+        <source>Press depth</source>
+        <translation>Press depth</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Lean</translation>
+    </message>
+    <message>
+        <source>Into the weave</source>
+        <translation>Into the weave</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Stiffness</translation>
+    </message>
+    <message>
+        <source>Ride</source>
+        <translation>Ride</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>Lasts</translation>
+    </message>
+    <message>
+        <source>Grooves</source>
+        <translation>Grooves</translation>
+    </message>
+    <message>
+        <source>Hair streaks</source>
+        <translation>Hair streaks</translation>
+    </message>
+    <message>
+        <source>Uneven load</source>
+        <translation>Uneven load</translation>
+    </message>
+    <message>
+        <source>Gathering</source>
+        <translation>Gathering</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Edges</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stays behind</source>
+        <translation>Stays behind</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reach</translation>
+    </message>
+    <message>
+        <source>Pickup</source>
+        <translation>Pickup</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>Mixing</translation>
+    </message>
+    <message>
+        <source>Wicking</source>
+        <translation>Wicking</translation>
+    </message>
+    <message>
+        <source> /mm</source>
+        <translation> /mm</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>Dragging</translation>
+    </message>
+    <message>
+        <source>Overflow</source>
+        <translation>Overflow</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Step</translation>
+    </message>
+    <message>
+        <source>Least step</source>
+        <translation>Least step</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Smoothing</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation>String</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Drop</translation>
+    </message>
+    <message>
+        <source> mm³</source>
+        <translation> mm³</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source> mm³/s</source>
+        <translation> mm³/s</translation>
+    </message>
+    <message>
+        <source>First drop</source>
+        <translation>First drop</translation>
+    </message>
+    <message>
+        <source>Bottle</source>
+        <translation>Bottle</translation>
+    </message>
+    <message>
+        <source>Steepness</source>
+        <translation>Steepness</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Centring</translation>
+    </message>
+    <message>
+        <source>Throw</source>
+        <translation>Throw</translation>
+    </message>
+    <message>
+        <source>Air pressure</source>
+        <translation>Air pressure</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Tip</translation>
+    </message>
+    <message>
+        <source>Hairs</source>
+        <translation>Hairs</translation>
+    </message>
+    <message>
+        <source>Paint it leaves</source>
+        <translation>Paint it leaves</translation>
+    </message>
+    <message>
+        <source>Paint it takes</source>
+        <translation>Paint it takes</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Stroke</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Drops</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Air</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::BrushEditor</name>
+    <message>
+        <source>Brush editor</source>
+        <translation>Brush editor</translation>
+    </message>
+    <message>
+        <source>A stroke of the tool in hand, pressed hardest in its middle</source>
+        <translation>A stroke of the tool in hand, pressed hardest in its middle</translation>
+    </message>
+    <message>
+        <source>The same stroke of the tool as it is saved</source>
+        <translation>The same stroke of the tool as it is saved</translation>
+    </message>
+    <message>
+        <source>As saved</source>
+        <translation>As saved</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Compare</translation>
+    </message>
+    <message>
+        <source>Shows below the stroke of the tool as it is saved</source>
+        <translation>Shows below the stroke of the tool as it is saved</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Revert</translation>
+    </message>
+    <message>
+        <source>Takes back all changes of the tool in hand</source>
+        <translation>Takes back all changes of the tool in hand</translation>
+    </message>
+    <message>
+        <source>In hand</source>
+        <translation>In hand</translation>
+    </message>
+    <message>
+        <source>Parts of the tool</source>
+        <translation>Parts of the tool</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Curves</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, changed</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::BrushFinder</name>
+    <message>
+        <source>Which tools are listed</source>
+        <translation>Which tools are listed</translation>
+    </message>
+    <message>
+        <source>Find a tool</source>
+        <translation>Find a tool</translation>
+    </message>
+    <message>
+        <source>A few letters of its name or of its family; Return takes the first</source>
+        <translation>A few letters of its name or of its family; Return takes the first</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>All</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favourites</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recent</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>My own</translation>
     </message>
 </context>
 <context>
@@ -6781,6 +10422,13 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
 </context>
 <context>
+    <name>pastoso::panels::StrokeStrip</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::ThinningSlider</name>
     <message>
         <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
@@ -6861,6 +10509,33 @@ Drag: move the picture
     <message>
         <source>There is no OpenGL any more to draw the canvas with.</source>
         <translation>There is no OpenGL any more to draw the canvas with.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::screens</name>
+    <message>
+        <source>All commands and their keys</source>
+        <translation>All commands and their keys</translation>
+    </message>
+    <message>
+        <source>In the order of the menus. &quot;Keys&quot; in the &quot;Settings&quot; menu changes them ([how](settings.md#keys)). This page is printed by the program; `packaging/screens.sh --manual` prints it anew.</source>
+        <translation>In the order of the menus. &quot;Keys&quot; in the &quot;Settings&quot; menu changes them ([how](settings.md#keys)). This page is printed by the program; `packaging/screens.sh --manual` prints it anew.</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>command</translation>
+    </message>
+    <message>
+        <source>like Krita</source>
+        <translation>like Krita</translation>
+    </message>
+    <message>
+        <source>like Photoshop</source>
+        <translation>like Photoshop</translation>
+    </message>
+    <message>
+        <source>does</source>
+        <translation>does</translation>
     </message>
 </context>
 <context>
@@ -7148,6 +10823,14 @@ Drag: move the picture
     <message>
         <source>Stroke in the mixing well</source>
         <translation>Stroke in the mixing well</translation>
+    </message>
+    <message>
+        <source>Canvas mirrored</source>
+        <translation>Canvas mirrored</translation>
+    </message>
+    <message>
+        <source>Canvas turned</source>
+        <translation>Canvas turned</translation>
     </message>
 </context>
 </TS>

@@ -104,6 +104,2689 @@
     </message>
 </context>
 <context>
+    <name>Engine</name>
+    <message>
+        <source>&quot;%1&quot; holds no picture and is left out.</source>
+        <translation>「%1」には画像がないため、取り込みません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2, but must lie between %3 and %4.</source>
+        <translation>「%1」は %2 ですが、%3 から %4 の範囲でなければなりません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is known in millimetres only; in cells describe a &quot;weave&quot;.</source>
+        <translation>「%1」はミリメートル単位でのみ使えます。セル単位では「weave」を記述してください。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is needed on the canvas itself.</source>
+        <translation>「%1」はキャンバスの操作に必要です。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither &quot;once&quot; nor &quot;reflected&quot;.</source>
+        <translation>「%1」は「once」でも「reflected」でもありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither K nor S.</source>
+        <translation>「%1」はKでもSでもありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no form of a shape; there are %2.</source>
+        <translation>「%1」という形はありません。使える形は %2 です。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tool that an eraser end can take.</source>
+        <translation>「%1」は消しゴム側で持てる道具ではありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of &quot;particles&quot;, &quot;level_set&quot;, &quot;upwind_level_set&quot; and &quot;particle_level_set&quot;.</source>
+        <translation>「%1」は「particles」「level_set」「upwind_level_set」「particle_level_set」のいずれでもありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2.</source>
+        <translation>「%1」は次のいずれでもありません: %2。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour such as #783c14.</source>
+        <translation>「%1」は#783c14のような色ではありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour; a colour is # and six hexadecimal digits, for example #c03020.</source>
+        <translation>「%1」は色ではありません。色は # と 6 桁の 16 進数で書きます。例: #c03020。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number.</source>
+        <translation>「%1」は有限の数ではありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a key such as Ctrl+Shift+Z.</source>
+        <translation>「%1」は Ctrl+Shift+Z のようなキーではありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number.</source>
+        <translation>「%1」は数ではありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a wavelength in nm and a power with one comma.</source>
+        <translation>「%1」は、コンマ 1 つで区切った波長 (nm) と強度になっていません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of %2.</source>
+        <translation>「%1」は次のいずれでもありません: %2。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of krita and photoshop.</source>
+        <translation>「%1」は krita でも photoshop でもありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the key of %2 already.</source>
+        <translation>「%1」はすでに%2のキーです。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the name of no command.</source>
+        <translation>「%1」という名前のコマンドはありません。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands here twice.</source>
+        <translation>「%1」がここに二度あります。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands once for the whole file.</source>
+        <translation>「%1」はファイル全体で一度だけ書きます。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was laid over the others by %2 and is laid over them as paint.</source>
+        <translation>「%1」は %2 で重ねられていましたが、ここでは絵の具として重ねます。</translation>
+    </message>
+    <message>
+        <source>&quot;endloop&quot; is missing before %1.</source>
+        <translation>%1 の前に「endloop」がありません。</translation>
+    </message>
+    <message>
+        <source>&quot;tilt&quot; and &quot;gravity&quot; say the same; give one of them.</source>
+        <translation>「tilt」と「gravity」は同じことを表します。どちらか一方を指定してください。</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a finite number.</source>
+        <translation>%1「%2」は有限の数値ではありません。</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;)</source>
+        <translation>%1（「%2」）</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;): the field &quot;family&quot; is missing.</source>
+        <translation>%1 (「%2」): 項目「family」がありません。</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;): thinned_with is &quot;%3&quot;, it must be the name of another medium here.</source>
+        <translation>%1 (「%2」): thinned_with が「%3」ですが、ここにある別のメディウムの名前でなければなりません。</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1（%2）。</translation>
+    </message>
+    <message>
+        <source>%1 Not read: %2</source>
+        <translation>%1 読み込めなかったもの: %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 と %2</translation>
+    </message>
+    <message>
+        <source>%1 does not belong in an STL file.</source>
+        <translation>%1 は STL ファイルでは使えません。</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which cannot set &quot;%3&quot;.</source>
+        <translation>%1 が「%2」ですが、これで「%3」を変えることはできません。</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which is none of: %3.</source>
+        <translation>%1 が「%2」ですが、次のいずれかでなければなりません: %3。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 in cell (%3, %4), but must lie between 0 and %5 (cells count from 0 at the upper left).</source>
+        <translation>セル (%3, %4) の%1は %2 ですが、0 から %5 の範囲でなければなりません (セルは左上を 0 として数えます)。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be a number from %3 to %4.</source>
+        <translation>%1 が %2 ですが、%3 から %4 の数値でなければなりません。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be a text.</source>
+        <translation>%1 が %2 ですが、文字列でなければなりません。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, more than the length, %3.</source>
+        <translation>%1 が %2 で、長さ %3 を超えています。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not between %3 and %4.</source>
+        <translation>%1 (値 %2) は %3 から %4 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, outside %3 to %4.</source>
+        <translation>%1 が %2 で、%3 から %4 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so that more than 100000 drops a second would fall.</source>
+        <translation>%1 が %2 ですが、これでは毎秒 100000 滴を超えて落ちることになります。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, whose input is not above that of the point before it.</source>
+        <translation>%1 が %2 で、入力が前の点の入力より大きくありません。</translation>
+    </message>
+    <message>
+        <source>%1 is a file; numbered pictures go into a folder.</source>
+        <translation>%1 はファイルです。連番画像はフォルダーに保存します。</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 が空です。</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>%1 がありません。</translation>
+    </message>
+    <message>
+        <source>%1 is no corner of a face.</source>
+        <translation>%1 は面の頂点ではありません。</translation>
+    </message>
+    <message>
+        <source>%1 is no number.</source>
+        <translation>%1 は数値ではありません。</translation>
+    </message>
+    <message>
+        <source>%1 is not a field of a brush preset (value %2).</source>
+        <translation>%1 はブラシのプリセットの項目ではありません (値 %2)。</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of %2 numbers.</source>
+        <translation>%1 は %2 個の数値のリストではありません。</translation>
+    </message>
+    <message>
+        <source>%1 is not above 0 and at most %2.</source>
+        <translation>%1は0より大きく%2以下ではありません。</translation>
+    </message>
+    <message>
+        <source>%1 is not between %2 and %3.</source>
+        <translation>%1 は %2 から %3 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>%1 is not finite in single precision.</source>
+        <translation>%1 は単精度では有限の値になりません。</translation>
+    </message>
+    <message>
+        <source>%1 is not from %2 to %3.</source>
+        <translation>%1は%2から%3の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>%1 must be a list, not %2.</source>
+        <translation>%1 はリストでなければなりませんが、%2 になっています。</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2.</source>
+        <translation>%1 は数値でなければなりませんが、%2 になっています。</translation>
+    </message>
+    <message>
+        <source>%1 must be a text, not %2.</source>
+        <translation>%1 は文字列でなければなりませんが、%2 になっています。</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2.</source>
+        <translation>%1 は整数でなければなりませんが、%2 になっています。</translation>
+    </message>
+    <message>
+        <source>%1 must be an object, not %2.</source>
+        <translation>%1 はオブジェクトでなければなりませんが、%2 になっています。</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false, not %2.</source>
+        <translation>%1 は true か false でなければなりませんが、%2 になっています。</translation>
+    </message>
+    <message>
+        <source>%1 must be two numbers, not %2.</source>
+        <translation>%1 は 2 つの数値でなければなりませんが、%2 になっています。</translation>
+    </message>
+    <message>
+        <source>%1 must have 1 to %2 points, not %3.</source>
+        <translation>%1 の点は 1 から %2 個でなければなりませんが、%3 個あります。</translation>
+    </message>
+    <message>
+        <source>%1 names %2 %3, but %4 were given until here.</source>
+        <translation>%1 は%2の %3 番を指していますが、ここまでに書かれているのは %4 個です。</translation>
+    </message>
+    <message>
+        <source>%1 needs about %2; %3 of memory are free.</source>
+        <translation>%1には約 %2 のメモリーが必要ですが、空きは %3 です。</translation>
+    </message>
+    <message>
+        <source>%1 normal</source>
+        <translation>%1 の法線</translation>
+    </message>
+    <message>
+        <source>%1 of the pigment &quot;%2&quot; is given twice.</source>
+        <translation>顔料「%2」の %1 が 2 回書かれています。</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 または %2</translation>
+    </message>
+    <message>
+        <source>%1 per mm is negative.</source>
+        <translation>1 mmあたり%1は負の値です。</translation>
+    </message>
+    <message>
+        <source>%1 position</source>
+        <translation>%1 の位置</translation>
+    </message>
+    <message>
+        <source>%1 triangles take %2 bytes, but the file has %3.</source>
+        <translation>三角形 %1 個には %2 バイト必要ですが、ファイルは %3 バイトです。</translation>
+    </message>
+    <message>
+        <source>%1 would have %2 x %3 cells; at most %4 a side are possible.</source>
+        <translation>%1は %2 x %3 セルになりますが、一辺 %4 セルまでです。</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells need about %3; %4 of memory are free.</source>
+        <translation>%1 x %2 セルには約 %3 のメモリーが必要ですが、空きは %4 です。</translation>
+    </message>
+    <message>
+        <source>%1, %2 nm: %3 is not a number.</source>
+        <translation>%1、%2 nm: %3 は数値ではありません。</translation>
+    </message>
+    <message>
+        <source>%1, %2 nm: the weight %3 is negative.</source>
+        <translation>%1、%2 nm: 重み %3 が負です。</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1、%2: %3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1、%2 バイト目</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: %3</source>
+        <translation>%1、%2 バイト目: %3</translation>
+    </message>
+    <message>
+        <source>%1, entry %2</source>
+        <translation>%1、項目 %2</translation>
+    </message>
+    <message>
+        <source>%1, event %2: %3</source>
+        <translation>%1、イベント %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1、%2 行目: %3</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not JSON, or it is cut off here.</source>
+        <translation>%1、%2 行目: JSON ではないか、ここで途切れています。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not valid JSON.</source>
+        <translation>%1、%2 行目: 正しい JSON ではありません。</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a list of %3 bands.</source>
+        <translation>%1: 「%2」が %3 個の帯域のリストになっていません。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; stands there twice.</source>
+        <translation>%1: 「%2」が 2 回書かれています。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 files do not hold %3-bit pictures.</source>
+        <translation>%1: %2 ファイルには %3 ビットの画像を保存できません。</translation>
+    </message>
+    <message>
+        <source>%1: %2 files do not hold %3.</source>
+        <translation>%1: %2 ファイルに保存できない種類の画像です (%3)。</translation>
+    </message>
+    <message>
+        <source>%1: %2 files hold at most %3 pixels a side; this picture has %4 x %5.</source>
+        <translation>%1: %2 ファイルに保存できるのは一辺 %3 ピクセルまでですが、この画像は %4 x %5 ピクセルです。</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the pigment &quot;%3&quot; is %4 per mm in band %5 of %6, above the %7 that paint can have; give the pigment in a weaker paint.</source>
+        <translation>%1: 顔料「%3」の %2 が、%6 個中 %5 番目の帯域で 1 mm あたり %4 になり、絵の具の上限 %7 を超えています。もっと薄い絵の具での値を指定してください。</translation>
+    </message>
+    <message>
+        <source>%1: %2 x %3 pixels are more than the %4 a side that a PSD file holds.</source>
+        <translation>%1: %2 x %3 ピクセルは、PSD ファイルの上限である一辺 %4 ピクセルを超えています。</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2。</translation>
+    </message>
+    <message>
+        <source>%1: 32 bits a channel hold linear light, which needs no ICC profile.</source>
+        <translation>%1: 1 チャンネル 32 ビットではリニアな光を保存するため、ICC プロファイルは不要です。</translation>
+    </message>
+    <message>
+        <source>%1: a PSD file of these layers would be larger than 2 GB.</source>
+        <translation>%1: これらのレイヤーの PSD ファイルは 2 GB を超えてしまいます。</translation>
+    </message>
+    <message>
+        <source>%1: a batch begins at an action or tick that cannot be.</source>
+        <translation>%1: あり得ない操作またはティックから始まるバッチがあります。</translation>
+    </message>
+    <message>
+        <source>%1: a batch is too short.</source>
+        <translation>%1: バッチが短すぎます。</translation>
+    </message>
+    <message>
+        <source>%1: a copy in layers is saved as .ora or .psd; this name ends in neither.</source>
+        <translation>%1: レイヤー付きのコピーは .ora か .psd で保存します。この名前の拡張子はどちらでもありません。</translation>
+    </message>
+    <message>
+        <source>%1: a mesh is read from .obj or .stl; this name ends otherwise.</source>
+        <translation>%1: メッシュは .obj か .stl から読み込みます。この名前は拡張子が違います。</translation>
+    </message>
+    <message>
+        <source>%1: a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in none of them.</source>
+        <translation>%1: 画像は .png、.tif、.jpg、.webp、.exr のいずれかで保存します。この名前の拡張子はどれでもありません。</translation>
+    </message>
+    <message>
+        <source>%1: a relief is saved as .stl, .ply or .obj; this name ends in none of them.</source>
+        <translation>%1: レリーフは .stl、.ply、.obj のいずれかで保存します。この名前の拡張子はどれでもありません。</translation>
+    </message>
+    <message>
+        <source>%1: a relief is saved as .stl, .ply or .obj; this name ends otherwise.</source>
+        <translation>%1: レリーフは .stl、.ply、.obj のいずれかで保存します。この名前は拡張子が違います。</translation>
+    </message>
+    <message>
+        <source>%1: a scene is saved as .pbrt; this name ends otherwise.</source>
+        <translation>%1: シーンは .pbrt で保存します。この名前は拡張子が違います。</translation>
+    </message>
+    <message>
+        <source>%1: a surface is saved as .obj, .ply, .stl or .pbrt; this name ends otherwise.</source>
+        <translation>%1: 表面は .obj、.ply、.stl、.pbrt のいずれかで保存します。この名前は拡張子が違います。</translation>
+    </message>
+    <message>
+        <source>%1: a video is made by the program ffmpeg, which is not installed; a folder&apos;s name instead gives numbered pictures.</source>
+        <translation>%1: 動画はプログラム ffmpeg で作りますが、インストールされていません。代わりにフォルダー名を指定すると、連番画像になります。</translation>
+    </message>
+    <message>
+        <source>%1: a video is saved as .mp4, .mkv or .webm, and a folder&apos;s name has no ending.</source>
+        <translation>%1: 動画は .mp4、.mkv、.webm のいずれかで保存します。フォルダー名には拡張子を付けません。</translation>
+    </message>
+    <message>
+        <source>%1: a volume is saved as .vdb; this name ends otherwise.</source>
+        <translation>%1: ボリュームは .vdb で保存します。この名前は拡張子が違います。</translation>
+    </message>
+    <message>
+        <source>%1: another program is at it.</source>
+        <translation>%1: 別のプログラムが使用中です。</translation>
+    </message>
+    <message>
+        <source>%1: band %2 of &quot;%3&quot;</source>
+        <translation>%1: 「%3」の帯域 %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be created (%2).</source>
+        <translation>%1: 作成できません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2).</source>
+        <translation>%1: 開けません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2).</source>
+        <translation>%1: 読み込めません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read to its end.</source>
+        <translation>%1: 最後まで読み込めません。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be removed (%2).</source>
+        <translation>%1: 削除できません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2).</source>
+        <translation>%1: 書き込めません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2); what is painted now can be saved, but not recovered.</source>
+        <translation>%1: 書き込めません (%2)。いま描いているものは保存できますが、復元はできません。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written, since this program was built without OpenVDB.</source>
+        <translation>%1: このプログラムは OpenVDB なしで作られているため、書き込めません。</translation>
+    </message>
+    <message>
+        <source>%1: does not say what was painted on.</source>
+        <translation>%1: 何の上に描かれたかが記録されていません。</translation>
+    </message>
+    <message>
+        <source>%1: expected the name of a pigment.</source>
+        <translation>%1: 顔料の名前が必要です。</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg cannot be started (%2).</source>
+        <translation>%1: ffmpeg を起動できません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg cannot make the video (%2).</source>
+        <translation>%1: ffmpeg で動画を作れません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: holds a number that is too large (%2).</source>
+        <translation>%1: 大きすぎる数値が含まれています (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: holds a number that is too large.</source>
+        <translation>%1: 大きすぎる数値が含まれています。</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile for %2, but the picture&apos;s values are red, green and blue.</source>
+        <translation>%1: %2 用の ICC プロファイルが含まれていますが、画像の値は赤、緑、青です。</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile that cannot be applied (%2).</source>
+        <translation>%1: 適用できない ICC プロファイルが含まれています (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile that is none (%2).</source>
+        <translation>%1: 含まれている ICC プロファイルが正しくありません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: holds frames of another time-lapse; name another folder, or remove them.</source>
+        <translation>%1: 別のタイムラプスのフレームがあります。別のフォルダーにするか、フレームを削除してください。</translation>
+    </message>
+    <message>
+        <source>%1: holds no actions of a painting.</source>
+        <translation>%1: 作品の操作が含まれていません。</translation>
+    </message>
+    <message>
+        <source>%1: holds no stroke; expected lines &quot;seconds x y pressure&quot;, some with a pressure above 0.</source>
+        <translation>%1: ストロークがありません。「秒 x y 筆圧」の行が必要で、筆圧が 0 より大きい行も必要です。</translation>
+    </message>
+    <message>
+        <source>%1: holds no strokes that could be painted again.</source>
+        <translation>%1: 描き直せるストロークがありません。</translation>
+    </message>
+    <message>
+        <source>%1: is %2, not a file.</source>
+        <translation>%1: ファイルではなく%2です。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile for %2, but a picture is written in red, green and blue.</source>
+        <translation>%1: %2 用の ICC プロファイルですが、画像は赤、緑、青で書き出されます。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile for %2, but a screen shows red, green and blue.</source>
+        <translation>%1: %2 用の ICC プロファイルですが、画面は赤、緑、青で表示します。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no colour can be shown with (%2).</source>
+        <translation>%1: この ICC プロファイルでは色を表示できません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no picture can be written in (%2).</source>
+        <translation>%1: この ICC プロファイルでは画像を書き出せません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no print can be shown with (%2).</source>
+        <translation>%1: この ICC プロファイルでは印刷の見え方を表示できません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: is an OpenRaster picture of another program; it holds no wet paint.</source>
+        <translation>%1: ほかのプログラムの OpenRaster 画像で、濡れた絵の具は含まれていません。</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; %2 actions after it are lost.</source>
+        <translation>%1: 破損しています。これより後の操作 %2 件が失われました。</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; 1 action after it is lost.</source>
+        <translation>%1: 破損しています。これより後の操作 1 件が失われました。</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; the painting is there, but some of its strokes are missing, so that they cannot be replayed.</source>
+        <translation>%1: 破損しています。作品は残っていますが、一部のストロークがないため、再生できません。</translation>
+    </message>
+    <message>
+        <source>%1: is larger than the %2 bytes that are read at most.</source>
+        <translation>%1: 読み込みの上限 %2 バイトを超えています。</translation>
+    </message>
+    <message>
+        <source>%1: is no ICC profile (%2).</source>
+        <translation>%1: ICC プロファイルではありません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: is no OpenRaster file, which would hold %2.</source>
+        <translation>%1: OpenRaster ファイルではありません。OpenRaster なら %2 を含むはずです。</translation>
+    </message>
+    <message>
+        <source>%1: is no painting of Pastoso, or its end is missing (%2).</source>
+        <translation>%1: Pastoso の作品ではないか、終わりの部分がありません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: is no painting of Pastoso.</source>
+        <translation>%1: Pastoso の作品ではありません。</translation>
+    </message>
+    <message>
+        <source>%1: is not a list of media in square brackets.</source>
+        <translation>%1: 角かっこで囲んだメディウムのリストではありません。</translation>
+    </message>
+    <message>
+        <source>%1: is not an object in braces.</source>
+        <translation>%1: 波かっこで囲んだオブジェクトではありません。</translation>
+    </message>
+    <message>
+        <source>%1: is of another moment.</source>
+        <translation>%1: 別の時点のものです。</translation>
+    </message>
+    <message>
+        <source>%1: is write-protected; allow writing to it, or choose another name.</source>
+        <translation>%1: 書き込みが禁止されています。書き込みを許可するか、別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>%1: is written, but may be lost in a power cut (%2).</source>
+        <translation>%1: 書き込みましたが、停電すると失われるおそれがあります (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: keeps frames of %2; choose another folder.</source>
+        <translation>%1: %2のフレームが入っています。別のフォルダーを選んでください。</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects are nested more than %2 deep.</source>
+        <translation>%1: リストとオブジェクトの入れ子が %2 段を超えています。</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects stand more than %2 deep in each other.</source>
+        <translation>%1: リストとオブジェクトの入れ子が %2 段を超えています。</translation>
+    </message>
+    <message>
+        <source>%1: maps are saved as .png, .tif or .exr; %2 files do not hold heights.</source>
+        <translation>%1: マップは .png、.tif、.exr のいずれかで保存します。%2 ファイルには高さを保存できません。</translation>
+    </message>
+    <message>
+        <source>%1: name is &quot;%2&quot;, which another preset of yours has already.</source>
+        <translation>%1: name が「%2」ですが、この名前は自分の別のプリセットがすでに使っています。</translation>
+    </message>
+    <message>
+        <source>%1: only .exr files hold layers.</source>
+        <translation>%1: レイヤーを保存できるのは .exr ファイルだけです。</translation>
+    </message>
+    <message>
+        <source>%1: only .exr files hold the layers&apos; heights and normals.</source>
+        <translation>%1: レイヤーの高さと法線を保存できるのは .exr ファイルだけです。</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of vertex %3 is not finite; nothing was written.</source>
+        <translation>%1: 頂点 %3 の%2が有限の値ではありません。何も書き出していません。</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full.</source>
+        <translation>%1: ディスクがいっぱいです。</translation>
+    </message>
+    <message>
+        <source>%1: the entry &quot;%2&quot; is missing.</source>
+        <translation>%1: 項目「%2」がありません。</translation>
+    </message>
+    <message>
+        <source>%1: the list &quot;%2&quot; of paints is missing.</source>
+        <translation>%1: 絵の具のリスト「%2」がありません。</translation>
+    </message>
+    <message>
+        <source>%1: the name &quot;%2&quot; begins with #, as only colours do.</source>
+        <translation>%1: 名前「%2」が # で始まっています。# で始まるのは色だけです。</translation>
+    </message>
+    <message>
+        <source>%1: the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.</source>
+        <translation>%1: 名前は .pbrt、.obj、.ply、.stl のいずれかで終わる必要があります。どれかを選んでください。</translation>
+    </message>
+    <message>
+        <source>%1: the pigment &quot;%2&quot; has no line for %3.</source>
+        <translation>%1: 顔料「%2」に %3 の行がありません。</translation>
+    </message>
+    <message>
+        <source>%1: the readings go from %2 to %3 nm; a light is needed from 400 to 700 nm.</source>
+        <translation>%1: 測定値は %2 から %3 nm までです。光には 400 から 700 nm までの値が必要です。</translation>
+    </message>
+    <message>
+        <source>%1: the system refuses this (%2).</source>
+        <translation>%1: システムに拒否されました (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: the weights add up to %2 instead of 1.</source>
+        <translation>%1: 重みの合計が 1 ではなく %2 です。</translation>
+    </message>
+    <message>
+        <source>%1: there are more than %2 triangles.</source>
+        <translation>%1: 三角形が %2 個を超えています。</translation>
+    </message>
+    <message>
+        <source>%1: there is already a pigment &quot;%2&quot;; give yours another name.</source>
+        <translation>%1: 顔料「%2」はすでにあります。別の名前を付けてください。</translation>
+    </message>
+    <message>
+        <source>%1: there is no colour in this palette.</source>
+        <translation>%1: このパレットには色がありません。</translation>
+    </message>
+    <message>
+        <source>%1: there is no pigment &quot;%2&quot;.</source>
+        <translation>%1: 顔料「%2」はありません。</translation>
+    </message>
+    <message>
+        <source>%1: there is no pigment in this file.</source>
+        <translation>%1: このファイルには顔料がありません。</translation>
+    </message>
+    <message>
+        <source>%1: there is no reading of a light in this file.</source>
+        <translation>%1: このファイルには光の測定値がありません。</translation>
+    </message>
+    <message>
+        <source>%1: this file of the program itself is missing; reinstall it or set PASTOSO_RESOURCES to the folder that holds it.</source>
+        <translation>%1: プログラム自体のこのファイルがありません。再インストールするか、これを含むフォルダーを PASTOSO_RESOURCES に指定してください。</translation>
+    </message>
+    <message>
+        <source>%1: this folder cannot be made (%2).</source>
+        <translation>%1: このフォルダーを作れません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: this format holds linear light, which needs no ICC profile.</source>
+        <translation>%1: この形式ではリニアな光を保存するため、ICC プロファイルは不要です。</translation>
+    </message>
+    <message>
+        <source>%1: this is not valid JSON.</source>
+        <translation>%1: 正しい JSON ではありません。</translation>
+    </message>
+    <message>
+        <source>%1: this light has no power that is seen.</source>
+        <translation>%1: この光には、目に見える成分がありません。</translation>
+    </message>
+    <message>
+        <source>%1: this light is so nearly a pure colour that nothing looks white in it.</source>
+        <translation>%1: この光はほとんど単色なので、白く見えるものがありません。</translation>
+    </message>
+    <message>
+        <source>%1: this part of the program cannot be loaded (%2).</source>
+        <translation>%1: プログラムのこの部分を読み込めません (%2)。</translation>
+    </message>
+    <message>
+        <source>%1: this part of the program is of another version; reinstall it.</source>
+        <translation>%1: プログラムのこの部分はバージョンが違います。再インストールしてください。</translation>
+    </message>
+    <message>
+        <source>%1: was saved by Pastoso with another form of %2; where nothing is painted, the canvas looks different.</source>
+        <translation>%1: 今とは違う形の %2 を使っていた Pastoso で保存されています。何も描かれていないところは、キャンバスの見え方が変わります。</translation>
+    </message>
+    <message>
+        <source>16-bit pictures</source>
+        <translation>16 ビットの画像</translation>
+    </message>
+    <message>
+        <source>8-bit pictures</source>
+        <translation>8 ビットの画像</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; is left out.</source>
+        <translation>&lt;%1&gt; は取り込みません。</translation>
+    </message>
+    <message>
+        <source>A brush needs a name.</source>
+        <translation>ブラシには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>A canvas of %1 x %2 mm at %3 px/mm</source>
+        <translation>%1 x %2 mm、%3 px/mm のキャンバス</translation>
+    </message>
+    <message>
+        <source>A diffusivity of %1 m2/s over %2 s; both must be 0 or more.</source>
+        <translation>拡散率が %1 m2/s、時間が %2 s です。どちらも 0 以上でなければなりません。</translation>
+    </message>
+    <message>
+        <source>A diffusivity or viscosity of %1 m2/s is too large for a step of %2 s.</source>
+        <translation>拡散率または粘度 %1 m2/s は、時間刻み %2 s には大きすぎます。</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s ball</source>
+        <translation>滴の属する玉</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s coldness</source>
+        <translation>滴の冷たさ</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s place</source>
+        <translation>滴の位置</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s shape is none.</source>
+        <translation>滴の形が正しくありません。</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s volume</source>
+        <translation>滴の体積</translation>
+    </message>
+    <message>
+        <source>A particle of this state is not within the tank.</source>
+        <translation>この状態には、水槽の外にある粒子が含まれています。</translation>
+    </message>
+    <message>
+        <source>A picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than the 268 million that can be rendered.</source>
+        <translation>%1 x %2 ピクセルの画像は、レンダリングの上限 2 億 6800 万ピクセルを超えています。</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than the 32768 a side that can be made.</source>
+        <translation>%1 x %2 ピクセルの画像は、上限の一辺 32768 ピクセルを超えています。</translation>
+    </message>
+    <message>
+        <source>A relief of %1 x %2 points is more than the 25 million that can be made; a coarser resolution takes fewer.</source>
+        <translation>%1 x %2 点のレリーフは、上限の 2500 万点を超えています。解像度を粗くすると点が減ります。</translation>
+    </message>
+    <message>
+        <source>Cannot make the folder %1: %2.</source>
+        <translation>フォルダー %1 を作れません: %2。</translation>
+    </message>
+    <message>
+        <source>Cannot write </source>
+        <translation>書き込めません: </translation>
+    </message>
+    <message>
+        <source>Cup, box, cells, time step, seed and the recipe&apos;s milk cannot change while the tea runs.</source>
+        <translation>カップ、箱、セル、時間刻み、シード、レシピのミルクは、紅茶が動いている間は変えられません。</translation>
+    </message>
+    <message>
+        <source>Nothing has been painted yet that a film could show.</source>
+        <translation>動画にできるものはまだ描かれていません。</translation>
+    </message>
+    <message>
+        <source>OpenGL reports error %1</source>
+        <translation>OpenGLがエラー%1を報告しました</translation>
+    </message>
+    <message>
+        <source>PASTOSO_ISA is &quot;%1&quot;, but there are baseline, avx2 and avx512.</source>
+        <translation>PASTOSO_ISA が「%1」ですが、使えるのは baseline、avx2、avx512 です。</translation>
+    </message>
+    <message>
+        <source>The %1 of the canvas is %2 %3, but must lie between %4 and %5.</source>
+        <translation>キャンバスの%1が %2 %3 ですが、%4 から %5 の範囲でなければなりません。</translation>
+    </message>
+    <message>
+        <source>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</source>
+        <translation>液体の箱が %1 x %2 x %3 セルですが、各辺は 2 から %4 セルまでです。</translation>
+    </message>
+    <message>
+        <source>The canvas is %1 x %2 cells, more than this graphics driver can show.</source>
+        <translation>キャンバスは%1 x %2セルあり、このグラフィックスドライバーでは表示しきれません。</translation>
+    </message>
+    <message>
+        <source>The cells of the box of liquid are %1 m wide, which is no size.</source>
+        <translation>液体の箱のセルの幅が %1 m ですが、これは大きさとして使えません。</translation>
+    </message>
+    <message>
+        <source>The cup&apos;s radius at its level</source>
+        <translation>液面でのカップの半径</translation>
+    </message>
+    <message>
+        <source>The diffusivity or viscosity is %1 m2/s; it must be 0 or more.</source>
+        <translation>拡散率または粘度が %1 m2/s ですが、0 以上でなければなりません。</translation>
+    </message>
+    <message>
+        <source>The file needs a name.</source>
+        <translation>ファイル名を入力してください。</translation>
+    </message>
+    <message>
+        <source>The film is of %1 media, but may be of %2 at most.</source>
+        <translation>膜のメディウムが %1 種類ありますが、%2 種類までです。</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
+        <translation>フォルダー %1 には別のタイムラプスのフレームがあります。別の名前にしてください。</translation>
+    </message>
+    <message>
+        <source>The graphics card cannot draw the canvas: %1.</source>
+        <translation>グラフィックスカードがキャンバスを描けません: %1。</translation>
+    </message>
+    <message>
+        <source>The graphics driver refuses a program that pictures are drawn with: %1</source>
+        <translation>グラフィックスドライバーが描画用のプログラムを受けつけません: %1</translation>
+    </message>
+    <message>
+        <source>The height of the support</source>
+        <translation>支持体の高さ</translation>
+    </message>
+    <message>
+        <source>The latest strokes %1</source>
+        <translation>最新のストロークは%1</translation>
+    </message>
+    <message>
+        <source>The light&apos;s %1 is %2, outside the range from %3 to %4.</source>
+        <translation>ライトの%1が %2 で、%3 から %4 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>The milk that was poured</source>
+        <translation>注がれたミルクの量</translation>
+    </message>
+    <message>
+        <source>The next ball&apos;s time</source>
+        <translation>次の玉の時刻</translation>
+    </message>
+    <message>
+        <source>The number of balls</source>
+        <translation>玉の数</translation>
+    </message>
+    <message>
+        <source>The number of parcels</source>
+        <translation>滴の数</translation>
+    </message>
+    <message>
+        <source>The painting is as it was saved, but its strokes %1</source>
+        <translation>作品は保存したときのままですが、ストロークは%1</translation>
+    </message>
+    <message>
+        <source>The painting is recovered up to an action that cannot be repeated: %1</source>
+        <translation>繰り返せない操作があるため、作品はその手前まで復元されました: %1</translation>
+    </message>
+    <message>
+        <source>The painting is whole, but its strokes cannot be replayed: %1</source>
+        <translation>作品はすべてそろっていますが、ストロークは再生できません: %1</translation>
+    </message>
+    <message>
+        <source>The part of the canvas to render is empty or reaches beyond the canvas.</source>
+        <translation>レンダリングするキャンバスの範囲が空か、キャンバスからはみ出しています。</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s scale is %1 pixels per cell, outside the range from 1/64 to 64.</source>
+        <translation>画像の倍率が 1 セルあたり %1 ピクセルで、1/64 から 64 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>The pressure is allowed %1 iterations; it needs at least 1.</source>
+        <translation>圧力の反復回数の上限が %1 ですが、1 以上でなければなりません。</translation>
+    </message>
+    <message>
+        <source>The pressure&apos;s tolerance is %1; it may be 1e-7 to 1.</source>
+        <translation>圧力の許容誤差が %1 ですが、使えるのは 1e-7 から 1 までです。</translation>
+    </message>
+    <message>
+        <source>The relief&apos;s %1 is %2, outside the range from %3 to %4.</source>
+        <translation>レリーフの%1が %2 で、%3 から %4 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>The state is that of another box of cells.</source>
+        <translation>セルの構成が異なる、別の箱の状態です。</translation>
+    </message>
+    <message>
+        <source>The step</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s end</source>
+        <translation>ミルクの流れの終わり</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s parcels</source>
+        <translation>ミルクの流れの滴の数</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s place</source>
+        <translation>ミルクの流れの位置</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s time</source>
+        <translation>ミルクの流れの経過時間</translation>
+    </message>
+    <message>
+        <source>The support &quot;image&quot; needs a height image; none is named.</source>
+        <translation>支持体「image」には高さ画像が必要ですが、指定されていません。</translation>
+    </message>
+    <message>
+        <source>The thickness of the film</source>
+        <translation>膜の厚さ</translation>
+    </message>
+    <message>
+        <source>The time of this state is not one of a tank.</source>
+        <translation>この状態の時刻は、水槽ではあり得ません。</translation>
+    </message>
+    <message>
+        <source>The time step is %1 s; it must be 0 or more.</source>
+        <translation>時間刻みが %1 s ですが、0 以上でなければなりません。</translation>
+    </message>
+    <message>
+        <source>The varnish&apos;s %1 is %2, outside the range from 0 to 1.</source>
+        <translation>ワニスの%1が %2 で、0 から 1 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>The viscosity is %1 m2/s; it must be 0 or more.</source>
+        <translation>粘度が %1 m2/s ですが、0 以上でなければなりません。</translation>
+    </message>
+    <message>
+        <source>The vorticity confinement is %1; it may be 0 to 0.3.</source>
+        <translation>渦の保持が %1 ですが、使えるのは 0 から 0.3 までです。</translation>
+    </message>
+    <message>
+        <source>The wall&apos;s distance at (%1, %2, %3) m is not a number.</source>
+        <translation>位置 (%1, %2, %3) m での壁までの距離が数値ではありません。</translation>
+    </message>
+    <message>
+        <source>There are %1 values for the %2 x %3 cells of the canvas.</source>
+        <translation>キャンバスの %2 x %3 セルに対して、値が %1 個あります。</translation>
+    </message>
+    <message>
+        <source>There is already a brush &quot;%1&quot;.</source>
+        <translation>ブラシ「%1」はすでにあります。</translation>
+    </message>
+    <message>
+        <source>There is already a file %1.</source>
+        <translation>ファイル %1 はすでにあります。</translation>
+    </message>
+    <message>
+        <source>There is no brush &quot;%1&quot;; the brushes are %2.</source>
+        <translation>ブラシ「%1」はありません。ブラシの一覧: %2。</translation>
+    </message>
+    <message>
+        <source>There is no case &quot;%1&quot;, only %2.</source>
+        <translation>ケース「%1」はありません。あるのは %2 だけです。</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>フォルダー %1 がありません。</translation>
+    </message>
+    <message>
+        <source>There is no light &quot;%1&quot;; there are D65, D50, A and LED, or give the path of a CSV file.</source>
+        <translation>光「%1」はありません。使えるのは D65、D50、A、LED です。CSV ファイルのパスも指定できます。</translation>
+    </message>
+    <message>
+        <source>There is no medium &quot;%1&quot;; the media are: %2.</source>
+        <translation>メディウム「%1」はありません。メディウムの一覧: %2。</translation>
+    </message>
+    <message>
+        <source>There is no picture yet that could be saved.</source>
+        <translation>保存できる画像がまだありません。</translation>
+    </message>
+    <message>
+        <source>There is no pigment &quot;%1&quot;; %2</source>
+        <translation>顔料「%1」はありません。%2</translation>
+    </message>
+    <message>
+        <source>There is no pigment &quot;%1&quot;; did you mean %2; %3</source>
+        <translation>顔料「%1」はありません。%2 のことですか？%3</translation>
+    </message>
+    <message>
+        <source>There is no scene &quot;%1&quot;; give a file ending in .json, or one of: %2.</source>
+        <translation>シーン「%1」はありません。.json で終わるファイルか、次のいずれかを指定してください: %2。</translation>
+    </message>
+    <message>
+        <source>There is no support &quot;%1&quot;; the supports are: %2.</source>
+        <translation>支持体「%1」はありません。支持体の一覧: %2。</translation>
+    </message>
+    <message>
+        <source>This is the state of a level set, not of particles.</source>
+        <translation>粒子ではなく、レベルセットの状態です。</translation>
+    </message>
+    <message>
+        <source>This is the state of a tank that is followed in another way.</source>
+        <translation>別の方法で計算される水槽の状態です。</translation>
+    </message>
+    <message>
+        <source>This is the state of another tank.</source>
+        <translation>別の水槽の状態です。</translation>
+    </message>
+    <message>
+        <source>a bristle holds what none can.</source>
+        <translation>ブラシの毛に、あり得ない量の絵の具が含まれています。</translation>
+    </message>
+    <message>
+        <source>a cap is at most a half sphere: its thickness %1 must lie above 0 and not above its radius %2.</source>
+        <translation>球冠 (cap) は半球までです。厚さ %1 は 0 より大きく、半径 %2 以下でなければなりません。</translation>
+    </message>
+    <message>
+        <source>a cell holds more of its media than it holds paint.</source>
+        <translation>セルのメディウムの量が、そのセルの絵の具の量を超えています。</translation>
+    </message>
+    <message>
+        <source>a combination has no parts.</source>
+        <translation>組み合わせの中身がありません。</translation>
+    </message>
+    <message>
+        <source>a corner of triangle %1 is not finite (%2).</source>
+        <translation>三角形 %1 の頂点が有限の値ではありません (%2)。</translation>
+    </message>
+    <message>
+        <source>a corner stands outside of a loop.</source>
+        <translation>ループの外に頂点があります。</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>デバイス</translation>
+    </message>
+    <message>
+        <source>a document type is not read here.</source>
+        <translation>文書型宣言は、ここでは読み込めません。</translation>
+    </message>
+    <message>
+        <source>a face has %1 corners, not three or more.</source>
+        <translation>面の頂点が %1 個ですが、3 個以上必要です。</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>a glass of milk tea</source>
+        <translation>ミルクティーのグラス</translation>
+    </message>
+    <message>
+        <source>a group needs a layer.</source>
+        <translation>グループにはレイヤーが必要です。</translation>
+    </message>
+    <message>
+        <source>a height of the support</source>
+        <translation>支持体の高さ</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>a loop begins within another one.</source>
+        <translation>ループの中で別のループが始まっています。</translation>
+    </message>
+    <message>
+        <source>a loop ends that has no three corners.</source>
+        <translation>ループが終わりましたが、頂点が 3 つありません。</translation>
+    </message>
+    <message>
+        <source>a mixture</source>
+        <translation>絵の具の混ざり方</translation>
+    </message>
+    <message>
+        <source>a named pipe</source>
+        <translation>名前付きパイプ</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>a number is missing.</source>
+        <translation>数値がありません。</translation>
+    </message>
+    <message>
+        <source>a painting has 1 to %1 layers, not %2.</source>
+        <translation>作品のレイヤーは 1 から %1 枚です。%2 枚にはできません。</translation>
+    </message>
+    <message>
+        <source>a painting has at most %1 layers.</source>
+        <translation>作品のレイヤーは %1 枚までです。</translation>
+    </message>
+    <message>
+        <source>a painting keeps its last layer.</source>
+        <translation>作品の最後のレイヤーは削除できません。</translation>
+    </message>
+    <message>
+        <source>a picture on it has no strokes, and comes no finer than it is.</source>
+        <translation>作品にある画像にはストロークがないため、今より細かくはなりません。</translation>
+    </message>
+    <message>
+        <source>a point of an outline has two numbers, x and y.</source>
+        <translation>輪郭の点には、x と y の 2 つの数値が必要です。</translation>
+    </message>
+    <message>
+        <source>a pressure</source>
+        <translation>圧力</translation>
+    </message>
+    <message>
+        <source>a pressure curve leads from 0 to 1 and never falls.</source>
+        <translation>筆圧のカーブは 0 から 1 へ進み、途中で下がってはいけません。</translation>
+    </message>
+    <message>
+        <source>a reflectance</source>
+        <translation>反射率</translation>
+    </message>
+    <message>
+        <source>a run is named by up to 64 small letters, digits and hyphens.</source>
+        <translation>実行の名前に使えるのは、英小文字、数字、ハイフンで、64 文字までです。</translation>
+    </message>
+    <message>
+        <source>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</source>
+        <translation>サンプルには time、x、y、pressure、tilt_x、tilt_y、rotation の 4 から 7 個の数値が必要ですが、ここには %1 個あります。</translation>
+    </message>
+    <message>
+        <source>a scene</source>
+        <translation>シーン</translation>
+    </message>
+    <message>
+        <source>a scene of a glass tank</source>
+        <translation>ガラスの水槽のシーン</translation>
+    </message>
+    <message>
+        <source>a shape is an object with one entry, its form, which is one of %1.</source>
+        <translation>形は項目が 1 つだけのオブジェクトです。その項目は次のいずれかです: %1。</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>ソケット</translation>
+    </message>
+    <message>
+        <source>a stroke needs at least one sample.</source>
+        <translation>ストロークにはサンプルが少なくとも 1 つ必要です。</translation>
+    </message>
+    <message>
+        <source>a stroke recording</source>
+        <translation>ストロークの記録</translation>
+    </message>
+    <message>
+        <source>a stroke that goes on stays on its surface.</source>
+        <translation>続きのストロークでは面を変えられません。</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文字列</translation>
+    </message>
+    <message>
+        <source>a thickness</source>
+        <translation>厚さ</translation>
+    </message>
+    <message>
+        <source>a thickness of dry paint</source>
+        <translation>乾いた絵の具の厚さ</translation>
+    </message>
+    <message>
+        <source>a tilt needs millimetres; in cells give &quot;gravity&quot;.</source>
+        <translation>傾きはミリメートル単位でのみ使えます。セル単位では「gravity」を指定してください。</translation>
+    </message>
+    <message>
+        <source>a triangle has more than three corners.</source>
+        <translation>三角形に頂点が 4 つ以上あります。</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>alpha_min is %1, it must not be larger than alpha_max, %2.</source>
+        <translation>alpha_min が %1 ですが、alpha_max の %2 以下でなければなりません。</translation>
+    </message>
+    <message>
+        <source>ambient share</source>
+        <translation>環境光の割合</translation>
+    </message>
+    <message>
+        <source>amount</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>an amount of a medium</source>
+        <translation>メディウムの量</translation>
+    </message>
+    <message>
+        <source>an amount of dry pigment</source>
+        <translation>乾いた顔料の量</translation>
+    </message>
+    <message>
+        <source>an amount of paint</source>
+        <translation>絵の具の量</translation>
+    </message>
+    <message>
+        <source>an exception of an unknown kind</source>
+        <translation>不明な種類の例外</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>脇に置いた</translation>
+    </message>
+    <message>
+        <source>at least one run is needed.</source>
+        <translation>実行が少なくとも 1 つ必要です。</translation>
+    </message>
+    <message>
+        <source>axis of the symmetry</source>
+        <translation>対称の軸</translation>
+    </message>
+    <message>
+        <source>azimuth in degrees</source>
+        <translation>方位角（度）</translation>
+    </message>
+    <message>
+        <source>bare support</source>
+        <translation>何も塗られていない支持体</translation>
+    </message>
+    <message>
+        <source>base in mm</source>
+        <translation>土台の厚さ（mm）</translation>
+    </message>
+    <message>
+        <source>belongs to another scene.</source>
+        <translation>別のシーンのものです。</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>青</translation>
+    </message>
+    <message>
+        <source>camera eye</source>
+        <translation>カメラの位置</translation>
+    </message>
+    <message>
+        <source>camera target</source>
+        <translation>カメラの目標点</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1).</source>
+        <translation>読み込めません (%1)。</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>最後まで読み込めません</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>キャンバス</translation>
+    </message>
+    <message>
+        <source>cell (%1, %2) holds %3 that cannot be.</source>
+        <translation>セル (%1, %2) に、あり得ない%3があります。</translation>
+    </message>
+    <message>
+        <source>cell (%1, %2) holds a lower stratum that is no part of its paint.</source>
+        <translation>セル (%1, %2) に、そのセルの絵の具に含まれない下の層があります。</translation>
+    </message>
+    <message>
+        <source>checkpoint of a tank</source>
+        <translation>水槽のチェックポイント</translation>
+    </message>
+    <message>
+        <source>checkpoint of tea</source>
+        <translation>ミルクティーのチェックポイント</translation>
+    </message>
+    <message>
+        <source>column %1 (%2): %3</source>
+        <translation>%1 列目 (%2): %3</translation>
+    </message>
+    <message>
+        <source>cup axis</source>
+        <translation>カップの軸</translation>
+    </message>
+    <message>
+        <source>cup floor</source>
+        <translation>カップの内側の底</translation>
+    </message>
+    <message>
+        <source>cup foot</source>
+        <translation>カップの外側の底</translation>
+    </message>
+    <message>
+        <source>cup level</source>
+        <translation>カップの液面</translation>
+    </message>
+    <message>
+        <source>cup radius at the foot</source>
+        <translation>カップの外側の底での半径</translation>
+    </message>
+    <message>
+        <source>cup radius at the rim</source>
+        <translation>カップの縁での半径</translation>
+    </message>
+    <message>
+        <source>cup rim</source>
+        <translation>カップの縁</translation>
+    </message>
+    <message>
+        <source>cup slope</source>
+        <translation>カップの側面の傾き</translation>
+    </message>
+    <message>
+        <source>cup wall</source>
+        <translation>カップの壁の厚さ</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>dent</source>
+        <translation>液面のくぼみ</translation>
+    </message>
+    <message>
+        <source>dent depth</source>
+        <translation>液面のくぼみの深さ</translation>
+    </message>
+    <message>
+        <source>dent radius</source>
+        <translation>液面のくぼみの半径</translation>
+    </message>
+    <message>
+        <source>direction of the tilt</source>
+        <translation>傾きの向き</translation>
+    </message>
+    <message>
+        <source>distance from eye to target</source>
+        <translation>カメラの位置から目標点までの距離</translation>
+    </message>
+    <message>
+        <source>distance of the ruler&apos;s points</source>
+        <translation>定規の 2 点の距離</translation>
+    </message>
+    <message>
+        <source>elevation in degrees</source>
+        <translation>仰角（度）</translation>
+    </message>
+    <message>
+        <source>ellipse&apos;s centre</source>
+        <translation>楕円の中心</translation>
+    </message>
+    <message>
+        <source>event %1: %2</source>
+        <translation>イベント %1: %2</translation>
+    </message>
+    <message>
+        <source>exaggeration</source>
+        <translation>高さの倍率</translation>
+    </message>
+    <message>
+        <source>expected &quot;%1&quot;.</source>
+        <translation>「%1」が必要です。</translation>
+    </message>
+    <message>
+        <source>expected &quot;levels&quot; or &quot;fine&quot;.</source>
+        <translation>「levels」か「fine」が必要です。</translation>
+    </message>
+    <message>
+        <source>expected &quot;none&quot;, &quot;several&quot; or the numbers of one.</source>
+        <translation>「none」か「several」、または 1 つ分の数値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected %1 media at most.</source>
+        <translation>メディウムは %1 種類までです。</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers, one for each tile.</source>
+        <translation>タイルごとに 1 つずつ、%1 個の数値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers.</source>
+        <translation>%1 個の数値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2.</source>
+        <translation>%1が必要です (見つかったもの: %2)。</translation>
+    </message>
+    <message>
+        <source>expected 0 or more.</source>
+        <translation>0 以上の値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected 0 to 10000.</source>
+        <translation>0 から 10000 までの値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected 0 to 10000000.</source>
+        <translation>0 から 10000000 までの値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected 0 to a million seconds.</source>
+        <translation>0 から 100 万秒までの値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected 1 to %1 layers.</source>
+        <translation>1 から %1 枚のレイヤーが必要です。</translation>
+    </message>
+    <message>
+        <source>expected 4 numbers, seconds x y pressure, found %1.</source>
+        <translation>4 つの数値 (秒 x y 筆圧) が必要ですが、%1 個あります。</translation>
+    </message>
+    <message>
+        <source>expected a colour and its name, for example [&quot;#783c14&quot;, &quot;Umber&quot;].</source>
+        <translation>色とその名前が必要です。例: [&quot;#783c14&quot;, &quot;Umber&quot;]。</translation>
+    </message>
+    <message>
+        <source>expected a name that begins with pastoso/.</source>
+        <translation>pastoso/ で始まる名前が必要です。</translation>
+    </message>
+    <message>
+        <source>expected a number for &quot;%1&quot;.</source>
+        <translation>「%1」には数値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected a number from 1 to 1000.</source>
+        <translation>1 から 1000 までの数値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected a pigment and its parts, for example [&quot;PB29&quot;, 1].</source>
+        <translation>顔料とその割合が必要です。例: [&quot;PB29&quot;, 1]。</translation>
+    </message>
+    <message>
+        <source>expected a width and a height.</source>
+        <translation>幅と高さが必要です。</translation>
+    </message>
+    <message>
+        <source>expected an amount of paint up to 1e18.</source>
+        <translation>1e18 までの絵の具の量が必要です。</translation>
+    </message>
+    <message>
+        <source>expected four numbers, [left, top, right, bottom].</source>
+        <translation>4 つの数値 [左, 上, 右, 下] が必要です。</translation>
+    </message>
+    <message>
+        <source>expected four whole numbers, [left, top, right, bottom].</source>
+        <translation>4 つの整数 [左, 上, 右, 下] が必要です。</translation>
+    </message>
+    <message>
+        <source>expected one number for each medium.</source>
+        <translation>メディウムごとに 1 つずつ数値が必要です。</translation>
+    </message>
+    <message>
+        <source>expected one of %1 beside the tick.</source>
+        <translation>ティックのほかに、次のいずれかが必要です: %1。</translation>
+    </message>
+    <message>
+        <source>expected sixteen hexadecimal digits.</source>
+        <translation>16 桁の 16 進数が必要です。</translation>
+    </message>
+    <message>
+        <source>expected the first tile and how many there are.</source>
+        <translation>最初のタイルの番号とタイルの数が必要です。</translation>
+    </message>
+    <message>
+        <source>expected the name of a file in the journal&apos;s folder.</source>
+        <translation>控えのフォルダーにあるファイルの名前が必要です。</translation>
+    </message>
+    <message>
+        <source>expected three numbers, found %1.</source>
+        <translation>3 つの数値が必要ですが、%1 個あります。</translation>
+    </message>
+    <message>
+        <source>expected three whole numbers, found %1.</source>
+        <translation>3 つの整数が必要ですが、%1 個あります。</translation>
+    </message>
+    <message>
+        <source>expected two numbers, [width, height].</source>
+        <translation>2 つの数値 [幅, 高さ] が必要です。</translation>
+    </message>
+    <message>
+        <source>expected two numbers, [x, y].</source>
+        <translation>2 つの数値 [x, y] が必要です。</translation>
+    </message>
+    <message>
+        <source>expected two numbers, for example [0.5, 0.7].</source>
+        <translation>2 つの数値が必要です。例: [0.5, 0.7]。</translation>
+    </message>
+    <message>
+        <source>expected two numbers, for example [20, 30].</source>
+        <translation>2 つの数値が必要です。例: [20, 30]。</translation>
+    </message>
+    <message>
+        <source>fill of the brush</source>
+        <translation>ブラシの含み</translation>
+    </message>
+    <message>
+        <source>frame of tea</source>
+        <translation>ミルクティーのフレーム</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>緑</translation>
+    </message>
+    <message>
+        <source>group of the layer</source>
+        <translation>レイヤーのグループ</translation>
+    </message>
+    <message>
+        <source>grouping layers that do not lie next to each other would tear a group of layers apart.</source>
+        <translation>隣り合っていないレイヤーをグループにすると、ほかのレイヤーのグループが分断されてしまいます。</translation>
+    </message>
+    <message>
+        <source>half height of the ellipse</source>
+        <translation>楕円の高さの半分</translation>
+    </message>
+    <message>
+        <source>half width of the ellipse</source>
+        <translation>楕円の幅の半分</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, but at most 32768 a side and 100 million in all are read.</source>
+        <translation>%1 x %2 ピクセルですが、読み込めるのは一辺 32768 ピクセル、全体で 1 億ピクセルまでです。</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>height of the new canvas</source>
+        <translation>新しいキャンバスの高さ</translation>
+    </message>
+    <message>
+        <source>height of the picture</source>
+        <translation>画像の高さ</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes, but at most %2 are possible here.</source>
+        <translation>%1 バイトありますが、ここでは %2 バイトまでです。</translation>
+    </message>
+    <message>
+        <source>holds a parcel (number %1) whose shape is none.</source>
+        <translation>形が正しくない滴 (%1 番) が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds a parcel (number %1) whose values are not finite.</source>
+        <translation>値が有限でない滴 (%1 番) が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds a particle whose numbers are not finite.</source>
+        <translation>数値が有限でない粒子が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds a selection of another canvas than this one.</source>
+        <translation>このキャンバスのものではない選択範囲が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds a value of a cell that is not finite.</source>
+        <translation>有限でないセルの値が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds a value that is not a finite number.</source>
+        <translation>有限でない値が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds an ICC profile that is none (it is damaged).</source>
+        <translation>正しくない ICC プロファイルが含まれています (破損しています)。</translation>
+    </message>
+    <message>
+        <source>holds sizes or numbers that no tank has.</source>
+        <translation>水槽ではあり得ない大きさまたは数値が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds sizes or numbers that no tea has.</source>
+        <translation>ミルクティーではあり得ない大きさまたは数値が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds sizes or times that no frame has.</source>
+        <translation>フレームではあり得ない大きさまたは時刻が含まれています。</translation>
+    </message>
+    <message>
+        <source>holds the paint of another brush than the one %1, which has %2 bristles.</source>
+        <translation>%1ブラシ (毛は %2 本) とは別のブラシの絵の具が含まれています。</translation>
+    </message>
+    <message>
+        <source>in hand</source>
+        <translation>手に持った</translation>
+    </message>
+    <message>
+        <source>is cut off: the end of the JPEG picture is missing.</source>
+        <translation>途中で切れています。JPEG 画像の終わりがありません。</translation>
+    </message>
+    <message>
+        <source>is damaged (%1).</source>
+        <translation>破損しています (%1)。</translation>
+    </message>
+    <message>
+        <source>is damaged (it cannot be decompressed, or its checksum is another).</source>
+        <translation>破損しています (展開できないか、チェックサムが一致しません)。</translation>
+    </message>
+    <message>
+        <source>is damaged (it ends within its first %1 bytes).</source>
+        <translation>破損しています (最初の %1 バイトの途中で終わっています)。</translation>
+    </message>
+    <message>
+        <source>is damaged (it is longer than it says).</source>
+        <translation>破損しています (記録されている長さより長くなっています)。</translation>
+    </message>
+    <message>
+        <source>is damaged (it is shorter than it says).</source>
+        <translation>破損しています (記録されている長さより短くなっています)。</translation>
+    </message>
+    <message>
+        <source>is damaged (its checksum is another).</source>
+        <translation>破損しています (チェックサムが一致しません)。</translation>
+    </message>
+    <message>
+        <source>is damaged (its header reaches beyond the end).</source>
+        <translation>破損しています (ヘッダーが終わりを越えています)。</translation>
+    </message>
+    <message>
+        <source>is damaged (its length is not the one that is noted).</source>
+        <translation>破損しています (長さが記録と一致しません)。</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes that are read of a WebP picture at most.</source>
+        <translation>WebP 画像の読み込みの上限 %1 バイトを超えています。</translation>
+    </message>
+    <message>
+        <source>is missing.</source>
+        <translation>ありません。</translation>
+    </message>
+    <message>
+        <source>is no %1.</source>
+        <translation>%1ではありません。</translation>
+    </message>
+    <message>
+        <source>is no PNG picture</source>
+        <translation>PNG 画像ではありません</translation>
+    </message>
+    <message>
+        <source>is not an image that can be read (it is none of %1).</source>
+        <translation>読み込める画像ではありません (%1 のいずれでもありません)。</translation>
+    </message>
+    <message>
+        <source>is of version %1, this program reads %2.</source>
+        <translation>バージョン %1 のファイルですが、このプログラムが読み込めるのは%2です。</translation>
+    </message>
+    <message>
+        <source>is stored in tiles of %1 x %2 pixels, but 8 a side are the least that are read.</source>
+        <translation>%1 x %2 ピクセルのタイルで保存されていますが、読み込めるのは一辺 8 ピクセル以上のタイルです。</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>破損しています</translation>
+    </message>
+    <message>
+        <source>it was reset</source>
+        <translation>リセットされました</translation>
+    </message>
+    <message>
+        <source>its end is missing</source>
+        <translation>終わりの部分がありません</translation>
+    </message>
+    <message>
+        <source>its memory does not suffice</source>
+        <translation>メモリが足りません</translation>
+    </message>
+    <message>
+        <source>its strokes %1</source>
+        <translation>ストロークは%1</translation>
+    </message>
+    <message>
+        <source>its support is a picture, and comes no finer than that.</source>
+        <translation>支持体が画像なので、その画像より細かくはなりません。</translation>
+    </message>
+    <message>
+        <source>lamp radiance</source>
+        <translation>ランプの放射輝度</translation>
+    </message>
+    <message>
+        <source>lamp radius</source>
+        <translation>ランプの半径</translation>
+    </message>
+    <message>
+        <source>lamp towards</source>
+        <translation>ランプの向き</translation>
+    </message>
+    <message>
+        <source>least height</source>
+        <translation>高さの下限</translation>
+    </message>
+    <message>
+        <source>least thickness of wet paint</source>
+        <translation>濡れた絵の具の厚さの下限</translation>
+    </message>
+    <message>
+        <source>linear pictures</source>
+        <translation>リニアな画像</translation>
+    </message>
+    <message>
+        <source>memory ran out: what was asked for last is not done, or not whole.</source>
+        <translation>メモリーが足りません。最後の操作は実行されていないか、途中までしか終わっていません。</translation>
+    </message>
+    <message>
+        <source>mesh: &quot;%1&quot; was not read.</source>
+        <translation>メッシュ: 「%1」は読み込まれていません。</translation>
+    </message>
+    <message>
+        <source>mesh: it is not closed: the edge from %1 to %2 is not shared by exactly two triangles that run along it in opposite directions.</source>
+        <translation>メッシュ: 閉じていません。%1 から %2 への辺は、互いに逆向きに通るちょうど 2 つの三角形に共有されていません。</translation>
+    </message>
+    <message>
+        <source>mesh: there are no triangles.</source>
+        <translation>メッシュ: 三角形がありません。</translation>
+    </message>
+    <message>
+        <source>mesh: triangle %1 names vertex %2 of %3.</source>
+        <translation>メッシュ: 三角形 %1 が頂点 %2 を指していますが、頂点は %3 個です。</translation>
+    </message>
+    <message>
+        <source>mesh: vertex %1 lies at %2, which is no place.</source>
+        <translation>メッシュ: 頂点 %1 の位置 %2 は、あり得ない場所です。</translation>
+    </message>
+    <message>
+        <source>milk share</source>
+        <translation>ミルクの割合</translation>
+    </message>
+    <message>
+        <source>milk share&apos;s cell</source>
+        <translation>ミルクの割合のセルの大きさ</translation>
+    </message>
+    <message>
+        <source>missing; %1</source>
+        <translation>ありません。%1</translation>
+    </message>
+    <message>
+        <source>mixing well</source>
+        <translation>混色皿</translation>
+    </message>
+    <message>
+        <source>most height</source>
+        <translation>高さの上限</translation>
+    </message>
+    <message>
+        <source>most thickness of wet paint</source>
+        <translation>濡れた絵の具の厚さの上限</translation>
+    </message>
+    <message>
+        <source>moving the group there would tear a group of layers apart.</source>
+        <translation>グループをそこへ移すと、レイヤーのグループが分断されてしまいます。</translation>
+    </message>
+    <message>
+        <source>moving the layer there would tear a group of layers apart.</source>
+        <translation>レイヤーをそこへ移すと、レイヤーのグループが分断されてしまいます。</translation>
+    </message>
+    <message>
+        <source>name of a group</source>
+        <translation>グループの名前</translation>
+    </message>
+    <message>
+        <source>name of a layer</source>
+        <translation>レイヤーの名前</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>理由は不明</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>理由は不明</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>法線</translation>
+    </message>
+    <message>
+        <source>number of parts of %1</source>
+        <translation>%1 の割合</translation>
+    </message>
+    <message>
+        <source>number of the group</source>
+        <translation>グループの番号</translation>
+    </message>
+    <message>
+        <source>number of the layer</source>
+        <translation>レイヤーの番号</translation>
+    </message>
+    <message>
+        <source>number of the outline&apos;s points</source>
+        <translation>輪郭の点の数</translation>
+    </message>
+    <message>
+        <source>number of the picture&apos;s pixels</source>
+        <translation>画像のピクセル数</translation>
+    </message>
+    <message>
+        <source>number of the symmetry&apos;s copies</source>
+        <translation>対称のコピーの数</translation>
+    </message>
+    <message>
+        <source>opacity of the layer</source>
+        <translation>レイヤーの不透明度</translation>
+    </message>
+    <message>
+        <source>opacity of the tracing picture</source>
+        <translation>下絵の不透明度</translation>
+    </message>
+    <message>
+        <source>other tea</source>
+        <translation>別のミルクティー</translation>
+    </message>
+    <message>
+        <source>pictures of %1 million pixels are too large; choose a &quot;picture_scale&quot; for at most 100 million.</source>
+        <translation>画像が %1 メガピクセルになり、大きすぎます。100 メガピクセル以下になる「picture_scale」を選んでください。</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>ピクセル</translation>
+    </message>
+    <message>
+        <source>place on the cloth in x</source>
+        <translation>布の上での x 方向の位置</translation>
+    </message>
+    <message>
+        <source>place on the cloth in y</source>
+        <translation>布の上での y 方向の位置</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>position of the group</source>
+        <translation>グループの位置</translation>
+    </message>
+    <message>
+        <source>position of the layer</source>
+        <translation>レイヤーの位置</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>筆圧</translation>
+    </message>
+    <message>
+        <source>pressure of the pen</source>
+        <translation>ペンの筆圧</translation>
+    </message>
+    <message>
+        <source>radius of the fan</source>
+        <translation>扇風機の半径</translation>
+    </message>
+    <message>
+        <source>reach of the guide</source>
+        <translation>ガイドの届く範囲</translation>
+    </message>
+    <message>
+        <source>receding_angle_deg is %1, it must not be larger than advancing_angle_deg, %2.</source>
+        <translation>receding_angle_deg が %1 ですが、advancing_angle_deg の %2 以下でなければなりません。</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>赤</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>解像度</translation>
+    </message>
+    <message>
+        <source>resolution in mm</source>
+        <translation>点の間隔（mm）</translation>
+    </message>
+    <message>
+        <source>rotation of the pen</source>
+        <translation>ペンの回転</translation>
+    </message>
+    <message>
+        <source>roughness on the dry support</source>
+        <translation>乾いた支持体の粗さ</translation>
+    </message>
+    <message>
+        <source>roughness on wet paint</source>
+        <translation>濡れた絵の具の粗さ</translation>
+    </message>
+    <message>
+        <source>ruler&apos;s first point</source>
+        <translation>定規の 1 つ目の点</translation>
+    </message>
+    <message>
+        <source>ruler&apos;s second point</source>
+        <translation>定規の 2 つ目の点</translation>
+    </message>
+    <message>
+        <source>scale of the transform along %1, without its sign,</source>
+        <translation>変形の %1 方向の倍率（符号を除く）</translation>
+    </message>
+    <message>
+        <source>scene format</source>
+        <translation>シーンの形式</translation>
+    </message>
+    <message>
+        <source>scene: %1 is %2, but must be from %3 to %4.</source>
+        <translation>シーン: %1 (値 %2) は %3 から %4 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>scene: %1 is 0, but must be a direction.</source>
+        <translation>シーン: %1 (値 0) は向きになりません。</translation>
+    </message>
+    <message>
+        <source>scene: %1&apos;s corner is %2, but must be the number of a position.</source>
+        <translation>シーン: %1 の頂点が %2 ですが、位置の番号でなければなりません。</translation>
+    </message>
+    <message>
+        <source>scene: %1&apos;s number of normals is %2, but must be 0 or that of its positions.</source>
+        <translation>シーン: %1 の法線の数が %2 ですが、0 か位置の数と同じでなければなりません。</translation>
+    </message>
+    <message>
+        <source>scene: there is not enough memory to trace a mesh of %1 triangles.</source>
+        <translation>シーン: 三角形 %1 個のメッシュをたどるにはメモリーが足りません。</translation>
+    </message>
+    <message>
+        <source>seed of the brush</source>
+        <translation>ブラシのシード</translation>
+    </message>
+    <message>
+        <source>selects nothing.</source>
+        <translation>何も選択していません。</translation>
+    </message>
+    <message>
+        <source>shadow softness in mm</source>
+        <translation>影のやわらかさ（mm）</translation>
+    </message>
+    <message>
+        <source>share of paint</source>
+        <translation>絵の具の割合</translation>
+    </message>
+    <message>
+        <source>share of the second paint</source>
+        <translation>2 番目の絵の具の割合</translation>
+    </message>
+    <message>
+        <source>share that is wiped off the brush</source>
+        <translation>ブラシから拭き取る割合</translation>
+    </message>
+    <message>
+        <source>single-precision pictures</source>
+        <translation>単精度の画像</translation>
+    </message>
+    <message>
+        <source>sky above</source>
+        <translation>上の空の明るさ</translation>
+    </message>
+    <message>
+        <source>sky below</source>
+        <translation>下の空の明るさ</translation>
+    </message>
+    <message>
+        <source>smoothing of the stabiliser</source>
+        <translation>手ぶれ補正の滑らかさ</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>別の種類のもの</translation>
+    </message>
+    <message>
+        <source>something went wrong within the program (%1).</source>
+        <translation>プログラムの内部で問題が起きました (%1)。</translation>
+    </message>
+    <message>
+        <source>speed of drying</source>
+        <translation>乾燥の速さ</translation>
+    </message>
+    <message>
+        <source>strata that give more light than they get</source>
+        <translation>受けた以上の光を返す層</translation>
+    </message>
+    <message>
+        <source>strength of the fan</source>
+        <translation>扇風機の強さ</translation>
+    </message>
+    <message>
+        <source>strength of the paint</source>
+        <translation>絵の具の濃さ</translation>
+    </message>
+    <message>
+        <source>string of the stabiliser</source>
+        <translation>手ぶれ補正のひも</translation>
+    </message>
+    <message>
+        <source>stroke format</source>
+        <translation>ストロークの形式</translation>
+    </message>
+    <message>
+        <source>support relief</source>
+        <translation>支持体の凹凸</translation>
+    </message>
+    <message>
+        <source>table fading</source>
+        <translation>テーブルの色の薄れ方</translation>
+    </message>
+    <message>
+        <source>table height</source>
+        <translation>テーブルの高さ</translation>
+    </message>
+    <message>
+        <source>table radius</source>
+        <translation>テーブルの半径</translation>
+    </message>
+    <message>
+        <source>table reflectance</source>
+        <translation>テーブルの反射率</translation>
+    </message>
+    <message>
+        <source>tank format</source>
+        <translation>水槽の形式</translation>
+    </message>
+    <message>
+        <source>tank wall</source>
+        <translation>水槽の壁の厚さ</translation>
+    </message>
+    <message>
+        <source>tea format</source>
+        <translation>ミルクティーの形式</translation>
+    </message>
+    <message>
+        <source>tells of strokes that are later than the painting.</source>
+        <translation>作品より後のストロークが含まれています。</translation>
+    </message>
+    <message>
+        <source>the %1 &quot;%2&quot; is not a whole number from 0 to 255.</source>
+        <translation>%1「%2」は0から255までの整数ではありません。</translation>
+    </message>
+    <message>
+        <source>the %1 %2 is not a number.</source>
+        <translation>%1 %2 は数値ではありません。</translation>
+    </message>
+    <message>
+        <source>the %1 %2 is not between -1e7 and 1e7.</source>
+        <translation>%1 %2 は -1e7 から 1e7 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>the %1 has %2 bytes, but at most %3 are kept.</source>
+        <translation>%1が %2 バイトですが、保存できるのは %3 バイトまでです。</translation>
+    </message>
+    <message>
+        <source>the %1 has %2 x %3 cells, but %4 x %5 of another size are expected.</source>
+        <translation>%1が %2 x %3 セルですが、大きさの異なる %4 x %5 セルが必要です。</translation>
+    </message>
+    <message>
+        <source>the %1 in %2 is %3, but must lie between %4 and %5.</source>
+        <translation>%1 (%2) が %3 ですが、%4 から %5 の範囲でなければなりません。</translation>
+    </message>
+    <message>
+        <source>the %1 is %2, but must lie between %3 and %4.</source>
+        <translation>%1が %2 ですが、%3 から %4 の範囲でなければなりません。</translation>
+    </message>
+    <message>
+        <source>the %1 is missing.</source>
+        <translation>%1がありません。</translation>
+    </message>
+    <message>
+        <source>the active layer is none.</source>
+        <translation>描画中のレイヤーがありません。</translation>
+    </message>
+    <message>
+        <source>the area is empty.</source>
+        <translation>範囲が空です。</translation>
+    </message>
+    <message>
+        <source>the brush &quot;%1&quot;</source>
+        <translation>ブラシ「%1」</translation>
+    </message>
+    <message>
+        <source>the brush %1 is told of only in part.</source>
+        <translation>%1ブラシについての記述が一部しかありません。</translation>
+    </message>
+    <message>
+        <source>the disk is full; make room on it, or choose another place</source>
+        <translation>ディスクがいっぱいです。空きを作るか、別の場所を選んでください</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deep.</source>
+        <translation>要素の入れ子が深すぎます。</translation>
+    </message>
+    <message>
+        <source>the entry &quot;%1&quot; is missing.</source>
+        <translation>項目「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>the field &quot;%1&quot; is missing.</source>
+        <translation>項目「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>the file ends here, before &quot;endsolid&quot;.</source>
+        <translation>ファイルが「endsolid」の前で終わっています。</translation>
+    </message>
+    <message>
+        <source>the file ends here, within the head of an STL file.</source>
+        <translation>STL ファイルのヘッダーの途中でファイルが終わっています。</translation>
+    </message>
+    <message>
+        <source>the groups within &quot;%1&quot; become part of it.</source>
+        <translation>「%1」の中のグループは解除され、その一部になります。</translation>
+    </message>
+    <message>
+        <source>the heading is &quot;%1&quot; instead of &quot;%2&quot;.</source>
+        <translation>見出しが「%2」ではなく「%1」です。</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is hidden.</source>
+        <translation>レイヤー「%1」は非表示です。</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is in a group already.</source>
+        <translation>レイヤー「%1」はすでにグループに入っています。</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is locked.</source>
+        <translation>レイヤー「%1」はロック中です。</translation>
+    </message>
+    <message>
+        <source>the layers are too large in all.</source>
+        <translation>レイヤーの合計が大きすぎます。</translation>
+    </message>
+    <message>
+        <source>the layers of a group do not lie next to each other.</source>
+        <translation>同じグループのレイヤーが隣り合っていません。</translation>
+    </message>
+    <message>
+        <source>the medium</source>
+        <translation>メディウム</translation>
+    </message>
+    <message>
+        <source>the palette has %1, yours %2.</source>
+        <translation>パレットには %1 が、自分の顔料には %2 があります。</translation>
+    </message>
+    <message>
+        <source>the palette has %1.</source>
+        <translation>パレットには %1 があります。</translation>
+    </message>
+    <message>
+        <source>the pen touches the canvas with no brush in hand.</source>
+        <translation>ブラシを手に持たずに、ペンがキャンバスに触れています。</translation>
+    </message>
+    <message>
+        <source>the pen touches the mixing well with no brush in hand.</source>
+        <translation>ブラシを手に持たずに、ペンが混色皿に触れています。</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>the picture %1</source>
+        <translation>画像: %1</translation>
+    </message>
+    <message>
+        <source>the picture is no base64.</source>
+        <translation>画像が base64 ではありません。</translation>
+    </message>
+    <message>
+        <source>the pictures of this recording are too large; at most 500 million pixels in all are read.</source>
+        <translation>この記録の画像は大きすぎます。読み込めるのは全部で 5 億ピクセルまでです。</translation>
+    </message>
+    <message>
+        <source>the pigment has no name.</source>
+        <translation>顔料に名前がありません。</translation>
+    </message>
+    <message>
+        <source>the power</source>
+        <translation>強度</translation>
+    </message>
+    <message>
+        <source>the power %1 is negative.</source>
+        <translation>強度 %1 が負です。</translation>
+    </message>
+    <message>
+        <source>the preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>the pressure %1 is not between 0 and 1.</source>
+        <translation>筆圧 %1 は 0 から 1 の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>the size of the picture is missing.</source>
+        <translation>画像の大きさがありません。</translation>
+    </message>
+    <message>
+        <source>the system refuses this (%1).</source>
+        <translation>システムに拒否されました (%1)。</translation>
+    </message>
+    <message>
+        <source>the tick %1 is earlier than %2 before it.</source>
+        <translation>ティック %1 が、前の %2 より早くなっています。</translation>
+    </message>
+    <message>
+        <source>the tiles hold %1 bytes, which has to be the size and at most %2.</source>
+        <translation>タイルが %1 バイトですが、これは記録された大きさと同じで、%2 バイト以下でなければなりません。</translation>
+    </message>
+    <message>
+        <source>the time %1 s is earlier than %2 s before it.</source>
+        <translation>時刻 %1 s が、前の %2 s より早くなっています。</translation>
+    </message>
+    <message>
+        <source>the time %1 s is not between 0 and 86400 s.</source>
+        <translation>時刻 %1 s は 0 から 86400 s の範囲にありません。</translation>
+    </message>
+    <message>
+        <source>the wavelength</source>
+        <translation>波長</translation>
+    </message>
+    <message>
+        <source>the wavelength %1 nm is not greater than that of the line before.</source>
+        <translation>波長 %1 nm が、前の行の波長より大きくありません。</translation>
+    </message>
+    <message>
+        <source>their paint adds up to more than any canvas holds.</source>
+        <translation>絵の具の合計が、キャンバスに載る量を超えています。</translation>
+    </message>
+    <message>
+        <source>there are %1 columns instead of %2.</source>
+        <translation>列が %2 個ではなく %1 個あります。</translation>
+    </message>
+    <message>
+        <source>there are %1 paints, but only %2 have room.</source>
+        <translation>絵具が%1色ありますが、%2色しか入りません。</translation>
+    </message>
+    <message>
+        <source>there are %1 ticks for %2 samples.</source>
+        <translation>サンプル %2 個に対してティックが %1 個あります。</translation>
+    </message>
+    <message>
+        <source>there are %1 tools instead of %2.</source>
+        <translation>道具が%2個ではなく%1個あります。</translation>
+    </message>
+    <message>
+        <source>there are more than %1 layers.</source>
+        <translation>レイヤーが %1 枚を超えています。</translation>
+    </message>
+    <message>
+        <source>there are more than %1 triangles.</source>
+        <translation>三角形が %1 個を超えています。</translation>
+    </message>
+    <message>
+        <source>there are more than %1 vertices.</source>
+        <translation>頂点が %1 個を超えています。</translation>
+    </message>
+    <message>
+        <source>there cannot be a group %1.</source>
+        <translation>グループ %1 はあり得ません。</translation>
+    </message>
+    <message>
+        <source>there cannot be a layer %1.</source>
+        <translation>レイヤー %1 はあり得ません。</translation>
+    </message>
+    <message>
+        <source>there is another run &quot;%1&quot;.</source>
+        <translation>同じ名前の実行「%1」がすでにあります。</translation>
+    </message>
+    <message>
+        <source>there is no brush in hand to take paint with.</source>
+        <translation>絵の具を付けるブラシを手に持っていません。</translation>
+    </message>
+    <message>
+        <source>there is no field %1.</source>
+        <translation>項目 %1 はありません。</translation>
+    </message>
+    <message>
+        <source>there is no form &quot;%1&quot;; the forms are slab, box, disc, cap, gaussian, cosine, noise and image.</source>
+        <translation>形「%1」はありません。使える形は slab、box、disc、cap、gaussian、cosine、noise、image です。</translation>
+    </message>
+    <message>
+        <source>there is no group %1 of layers.</source>
+        <translation>レイヤーのグループ %1 はありません。</translation>
+    </message>
+    <message>
+        <source>there is no group %1.</source>
+        <translation>グループ %1 はありません。</translation>
+    </message>
+    <message>
+        <source>there is no kind of frame %1.</source>
+        <translation>種類 %1 のフレームはありません。</translation>
+    </message>
+    <message>
+        <source>there is no layer %1.</source>
+        <translation>レイヤー %1 はありません。</translation>
+    </message>
+    <message>
+        <source>there is no layer below &quot;%1&quot; to merge it onto.</source>
+        <translation>「%1」の下に、結合できるレイヤーがありません。</translation>
+    </message>
+    <message>
+        <source>there is no medium in hand.</source>
+        <translation>手元にメディウムがありません。</translation>
+    </message>
+    <message>
+        <source>there is no place %1 for a layer; the highest is %2.</source>
+        <translation>レイヤーの位置 %1 はありません。いちばん上は %2 です。</translation>
+    </message>
+    <message>
+        <source>there is no such entry as &quot;%1&quot; here.</source>
+        <translation>ここでは「%1」という項目は使えません。</translation>
+    </message>
+    <message>
+        <source>there is no such kind of tiles as &quot;%1&quot;.</source>
+        <translation>「%1」という種類のタイルはありません。</translation>
+    </message>
+    <message>
+        <source>there is no support &quot;%1&quot;; the supports are flat, %2, weave, image, ramp and bump.</source>
+        <translation>支持体「%1」はありません。使える支持体は flat、%2、weave、image、ramp、bump です。</translation>
+    </message>
+    <message>
+        <source>there is no surface &quot;%1&quot;; a stroke is on the &quot;canvas&quot; or the &quot;well&quot;.</source>
+        <translation>面「%1」はありません。ストロークは「canvas」か「well」に描きます。</translation>
+    </message>
+    <message>
+        <source>there is no visible layer to flatten.</source>
+        <translation>結合できる表示レイヤーがありません。</translation>
+    </message>
+    <message>
+        <source>there is no way &quot;%1&quot; to select; they are replace, add, subtract and intersect.</source>
+        <translation>選択方法「%1」はありません。使えるのは replace、add、subtract、intersect です。</translation>
+    </message>
+    <message>
+        <source>this is no journal of a painting.</source>
+        <translation>作品の控えではありません。</translation>
+    </message>
+    <message>
+        <source>this is no list of layers; it would begin with &lt;image&gt;.</source>
+        <translation>レイヤーのリストではありません。&lt;image&gt; で始まるはずです。</translation>
+    </message>
+    <message>
+        <source>this is no painting of Pastoso; it would begin with &quot;format&quot;: &quot;pastoso-project&quot;.</source>
+        <translation>Pastoso の作品ではありません。&quot;format&quot;: &quot;pastoso-project&quot; で始まるはずです。</translation>
+    </message>
+    <message>
+        <source>this is not %1; it would begin with &quot;format&quot;: &quot;%2&quot;.</source>
+        <translation>%1のファイルではありません。&quot;format&quot;: &quot;%2&quot; で始まるはずです。</translation>
+    </message>
+    <message>
+        <source>this is not a GIMP palette; it would begin with &quot;GIMP Palette&quot;.</source>
+        <translation>これはGIMPのパレットではありません。「GIMP Palette」で始まるはずです。</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON: %1.</source>
+        <translation>正しい JSON ではありません: %1。</translation>
+    </message>
+    <message>
+        <source>this is not valid XML (%1).</source>
+        <translation>正しい XML ではありません (%1)。</translation>
+    </message>
+    <message>
+        <source>this makes %1 cells; 1 to %2 are possible.</source>
+        <translation>これでは %1 セルになります。使えるのは 1 から %2 セルまでです。</translation>
+    </message>
+    <message>
+        <source>this must be an object in braces.</source>
+        <translation>波かっこで囲んだオブジェクトでなければなりません。</translation>
+    </message>
+    <message>
+        <source>this paint</source>
+        <translation>この絵の具</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (%1 %2; this program reads up to %3).</source>
+        <translation>より新しい Pastoso で書かれています (%1 %2、このプログラムが読み込めるのは %3 まで)。</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (journal format %1; this program reads up to %2).</source>
+        <translation>より新しい Pastoso で書かれています (控えの形式 %1、このプログラムが読み込めるのは %2 まで)。</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (project format %1; this program reads up to %2).</source>
+        <translation>より新しい Pastoso で書かれています (作品の形式 %1、このプログラムが読み込めるのは %2 まで)。</translation>
+    </message>
+    <message>
+        <source>tile %1 comes twice.</source>
+        <translation>タイル %1 が 2 回出てきます。</translation>
+    </message>
+    <message>
+        <source>tile %1 moves as no paint can.</source>
+        <translation>タイル %1 が、絵の具ではあり得ない動きをしています。</translation>
+    </message>
+    <message>
+        <source>tile %1 moves, but there is no &quot;window&quot; that it started from.</source>
+        <translation>タイル %1 は動いていますが、動き始めの「window」がありません。</translation>
+    </message>
+    <message>
+        <source>tile %1 sleeps, and yet its motion is followed.</source>
+        <translation>タイル %1 は休止中なのに、動きが記録されています。</translation>
+    </message>
+    <message>
+        <source>tilt of the canvas</source>
+        <translation>キャンバスの傾き</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>時刻</translation>
+    </message>
+    <message>
+        <source>time of the pen</source>
+        <translation>ペンの時刻</translation>
+    </message>
+    <message>
+        <source>touch_dry_s is %1, it must not be larger than typical_thickness_mm times %2.</source>
+        <translation>touch_dry_s が %1 ですが、typical_thickness_mm の %2 倍以下でなければなりません。</translation>
+    </message>
+    <message>
+        <source>trace settings: a side of the picture is %1, but must be from 1 to 16384 pixels.</source>
+        <translation>レンダリングの設定: 画像の一辺が %1 ですが、1 から 16384 ピクセルの範囲でなければなりません。</translation>
+    </message>
+    <message>
+        <source>trace settings: brightest is %1, but must be above 0 and finite.</source>
+        <translation>レンダリングの設定: brightest が %1 ですが、0 より大きい有限の値でなければなりません。</translation>
+    </message>
+    <message>
+        <source>trace settings: most_events is %1, but must be at least 1.</source>
+        <translation>レンダリングの設定: most_events が %1 ですが、1 以上でなければなりません。</translation>
+    </message>
+    <message>
+        <source>transform&apos;s centre</source>
+        <translation>変形の中心</translation>
+    </message>
+    <message>
+        <source>transform&apos;s move</source>
+        <translation>変形の移動</translation>
+    </message>
+    <message>
+        <source>transform&apos;s scale</source>
+        <translation>変形の倍率</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true か false の値</translation>
+    </message>
+    <message>
+        <source>turn of the ellipse</source>
+        <translation>楕円の回転</translation>
+    </message>
+    <message>
+        <source>turn of the transform</source>
+        <translation>変形の回転</translation>
+    </message>
+    <message>
+        <source>variation of the share</source>
+        <translation>割合のばらつき</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>バージョン %1</translation>
+    </message>
+    <message>
+        <source>versions %1 to %2</source>
+        <translation>バージョン %1 から %2</translation>
+    </message>
+    <message>
+        <source>volume of the squeezed paint</source>
+        <translation>絞り出す絵の具の体積</translation>
+    </message>
+    <message>
+        <source>were painted with an earlier version of the program (arithmetic %1, now %2): replayed, they come out a little differently.</source>
+        <translation>以前のバージョンのプログラムで描かれています (計算方式 %1、現在は %2)。再生すると、少し違う結果になります。</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>width of the brush</source>
+        <translation>ブラシの幅</translation>
+    </message>
+    <message>
+        <source>width of the new canvas</source>
+        <translation>新しいキャンバスの幅</translation>
+    </message>
+    <message>
+        <source>width of the picture</source>
+        <translation>画像の幅</translation>
+    </message>
+    <message>
+        <source>window radiance</source>
+        <translation>窓の放射輝度</translation>
+    </message>
+    <message>
+        <source>window radius</source>
+        <translation>窓の半径</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>x of the %1</source>
+        <translation>%1の x の値</translation>
+    </message>
+    <message>
+        <source>x of the centre of the symmetry</source>
+        <translation>対称の中心の x 座標</translation>
+    </message>
+    <message>
+        <source>x of the fan</source>
+        <translation>扇風機の x 座標</translation>
+    </message>
+    <message>
+        <source>x of the new canvas</source>
+        <translation>新しいキャンバスの x 座標</translation>
+    </message>
+    <message>
+        <source>x of the pen</source>
+        <translation>ペンの x 座標</translation>
+    </message>
+    <message>
+        <source>x of the picture</source>
+        <translation>画像の x 座標</translation>
+    </message>
+    <message>
+        <source>x of the squeezed paint</source>
+        <translation>絞り出す絵の具の x 座標</translation>
+    </message>
+    <message>
+        <source>x tilt of the pen</source>
+        <translation>ペンの x 方向の傾き</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>y of the %1</source>
+        <translation>%1の y の値</translation>
+    </message>
+    <message>
+        <source>y of the centre of the symmetry</source>
+        <translation>対称の中心の y 座標</translation>
+    </message>
+    <message>
+        <source>y of the fan</source>
+        <translation>扇風機の y 座標</translation>
+    </message>
+    <message>
+        <source>y of the new canvas</source>
+        <translation>新しいキャンバスの y 座標</translation>
+    </message>
+    <message>
+        <source>y of the pen</source>
+        <translation>ペンの y 座標</translation>
+    </message>
+    <message>
+        <source>y of the picture</source>
+        <translation>画像の y 座標</translation>
+    </message>
+    <message>
+        <source>y of the squeezed paint</source>
+        <translation>絞り出す絵の具の y 座標</translation>
+    </message>
+    <message>
+        <source>y tilt of the pen</source>
+        <translation>ペンの y 方向の傾き</translation>
+    </message>
+    <message>
+        <source>yellowing</source>
+        <translation>黄変</translation>
+    </message>
+    <message>
+        <source>your share of the disk is used up; make room on it, or choose another place</source>
+        <translation>ディスクの割り当て容量を使い切りました。空きを作るか、別の場所を選んでください</translation>
+    </message>
+    <message>
+        <source>difference of the colour</source>
+        <translation>色の差</translation>
+    </message>
+    <message>
+        <source>gradient&apos;s point</source>
+        <translation>グラデーションの点</translation>
+    </message>
+    <message>
+        <source>length of the gradient&apos;s line</source>
+        <translation>グラデーションの線の長さ</translation>
+    </message>
+    <message>
+        <source>no paint has been copied that could be pasted.</source>
+        <translation>貼り付けられる絵具がコピーされていません。</translation>
+    </message>
+    <message>
+        <source>number of points of the gradient&apos;s line</source>
+        <translation>グラデーションの線の点の数</translation>
+    </message>
+    <message>
+        <source>number of quarter turns</source>
+        <translation>90度回転の回数</translation>
+    </message>
+    <message>
+        <source>outline&apos;s point</source>
+        <translation>輪郭の点</translation>
+    </message>
+    <message>
+        <source>there is no visible layer to copy.</source>
+        <translation>コピーできる表示レイヤーがありません。</translation>
+    </message>
+    <message>
+        <source>thickness of the film</source>
+        <translation>膜の厚さ</translation>
+    </message>
+    <message>
+        <source>way from where it was copied</source>
+        <translation>コピーした場所からの移動</translation>
+    </message>
+    <message>
+        <source>width of the margin</source>
+        <translation>縁の幅</translation>
+    </message>
+    <message>
+        <source>x of the colour&apos;s place</source>
+        <translation>色の場所のx</translation>
+    </message>
+    <message>
+        <source>y of the colour&apos;s place</source>
+        <translation>色の場所のy</translation>
+    </message>
+    <message>
+        <source>%1: is no bundle of tools; it has no %2.</source>
+        <translation>%1: ツールのバンドルではありません。%2がありません。</translation>
+    </message>
+    <message>
+        <source>name is &quot;%1&quot;, which another tool of the bundle has already.</source>
+        <translation>nameは「%1」ですが、バンドル内の別のツールと同じです。</translation>
+    </message>
+    <message>
+        <source>there are %1 tools, more than %2.</source>
+        <translation>ツールが%1個あり、%2個を超えています。</translation>
+    </message>
+    <message>
+        <source>copied paint</source>
+        <translation>コピーした絵具</translation>
+    </message>
+</context>
+<context>
     <name>ExamplePaintings</name>
     <message>
         <source>Still life</source>
@@ -557,6 +3240,14 @@
         <source>About Pastoso</source>
         <translation>Pastoso について</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>編集</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>お気に入り</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -619,6 +3310,13 @@
     <message>
         <source>Abort</source>
         <translation>中止</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionMargins</name>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
     </message>
 </context>
 <context>
@@ -982,6 +3680,178 @@
     <message>
         <source>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</source>
         <translation>下描き用にテレピンでうすめた油。筋が残り、布目に沈み、傾けると流れる。</translation>
+    </message>
+    <message>
+        <source>Width of the tip.</source>
+        <translation>穂先の幅。</translation>
+    </message>
+    <message>
+        <source>Thickness of the tip; a round one is as thick as it is wide.</source>
+        <translation>穂先の厚み。丸い穂先は幅と同じ厚み。</translation>
+    </message>
+    <message>
+        <source>Length of the free hairs.</source>
+        <translation>毛の出ている長さ。</translation>
+    </message>
+    <message>
+        <source>How much shorter the outermost hairs are; at most the length.</source>
+        <translation>外側の毛がどれだけ短いか。最大で毛の長さまで。</translation>
+    </message>
+    <message>
+        <source>Elements that the tip is made of.</source>
+        <translation>穂先を作る要素の数。</translation>
+    </message>
+    <message>
+        <source>Fine streaks within one element.</source>
+        <translation>一つの要素の中の細かい筋の数。</translation>
+    </message>
+    <message>
+        <source>Makes one piece differ from the next.</source>
+        <translation>一本ごとの違いを決める。</translation>
+    </message>
+    <message>
+        <source>How far a bent hair trails behind the hand.</source>
+        <translation>曲がった毛が手からどれだけ遅れるか。</translation>
+    </message>
+    <message>
+        <source>How far the hairs spread at full pressure.</source>
+        <translation>最大の筆圧で毛がどれだけ広がるか。</translation>
+    </message>
+    <message>
+        <source>How long the hairs trail after a turn.</source>
+        <translation>曲がった後、毛がどれだけ長く遅れるか。</translation>
+    </message>
+    <message>
+        <source>Way of the ferrule at full pressure, in hair lengths.</source>
+        <translation>最大の筆圧で口金が下がる量（毛の長さを 1 とする）。</translation>
+    </message>
+    <message>
+        <source>How much a lean lowers one side.</source>
+        <translation>傾けたとき片側がどれだけ下がるか。</translation>
+    </message>
+    <message>
+        <source>How steeply hairs follow the weave down: little gives dry brush.</source>
+        <translation>毛が布目の谷へどれだけ急に入るか。小さいとかすれる。</translation>
+    </message>
+    <message>
+        <source>0: every hair for itself, 1: one stiff edge.</source>
+        <translation>0：毛が一本ずつ動く、1：一枚の硬い縁。</translation>
+    </message>
+    <message>
+        <source>How far wet paint carries it in a light hand, off the ground.</source>
+        <translation>軽い手のとき、濡れた絵の具が下地からどれだけ浮かせるか。</translation>
+    </message>
+    <message>
+        <source>Wet film that a full brush leaves.</source>
+        <translation>十分に含んだブラシが残す濡れた膜。</translation>
+    </message>
+    <message>
+        <source>Stroke that a full load lasts.</source>
+        <translation>いっぱいに含んだ絵の具で描ける長さ。</translation>
+    </message>
+    <message>
+        <source>Ridges between bristles, in films.</source>
+        <translation>毛束の間のうね（膜の厚みを 1 とする）。</translation>
+    </message>
+    <message>
+        <source>Streaks of single hairs, in films.</source>
+        <translation>一本一本の毛の筋（膜の厚みを 1 とする）。</translation>
+    </message>
+    <message>
+        <source>Difference from bristle to bristle.</source>
+        <translation>毛束ごとの違い。</translation>
+    </message>
+    <message>
+        <source>How far each dip gathers the hairs anew; 0: never.</source>
+        <translation>含ませるたびに毛がどれだけ新しくまとまるか。0：まとまらない。</translation>
+    </message>
+    <message>
+        <source>Extra film along the edges, in films.</source>
+        <translation>縁に余分に残る膜（膜の厚みを 1 とする）。</translation>
+    </message>
+    <message>
+        <source>Extra film where the stroke starts.</source>
+        <translation>描き始めに余分に残る膜。</translation>
+    </message>
+    <message>
+        <source>Share of the load that stays on lifting.</source>
+        <translation>持ち上げたときに残していく絵の具の割合。</translation>
+    </message>
+    <message>
+        <source>Depth that hanging paint bridges, in films.</source>
+        <translation>垂れた絵の具が届く深さ（膜の厚みを 1 とする）。</translation>
+    </message>
+    <message>
+        <source>Share of the paint in the way that is taken up.</source>
+        <translation>行く手の絵の具を拾う割合。</translation>
+    </message>
+    <message>
+        <source>How fast it mixes with the paint below.</source>
+        <translation>下の絵の具と混ざる速さ。</translation>
+    </message>
+    <message>
+        <source>Exchange between neighbouring hairs.</source>
+        <translation>隣り合う毛の間のやり取り。</translation>
+    </message>
+    <message>
+        <source>How far a fast stroke drags paint along and ploughs it aside.</source>
+        <translation>速いストロークが絵の具を引きずり、脇へ押しのける程度。</translation>
+    </message>
+    <message>
+        <source>Fill above which paint is pushed out sideways.</source>
+        <translation>これを超えて含むと絵の具が脇へ押し出される。</translation>
+    </message>
+    <message>
+        <source>Step, in radii of an element.</source>
+        <translation>一歩の長さ（要素の半径を 1 とする）。</translation>
+    </message>
+    <message>
+        <source>Least step.</source>
+        <translation>最小の一歩。</translation>
+    </message>
+    <message>
+        <source>Time over which the hand is steadied.</source>
+        <translation>手ぶれを補正する時間。</translation>
+    </message>
+    <message>
+        <source>Length of the string that pulls the tip.</source>
+        <translation>穂先を引くひもの長さ。</translation>
+    </message>
+    <message>
+        <source>Mean volume of a drop.</source>
+        <translation>しずくの平均の体積。</translation>
+    </message>
+    <message>
+        <source>How much drops differ.</source>
+        <translation>しずくのばらつき。</translation>
+    </message>
+    <message>
+        <source>Paint let go while the pen is down.</source>
+        <translation>ペンを下ろしている間に出る絵の具。</translation>
+    </message>
+    <message>
+        <source>A drop let go when the pen comes down.</source>
+        <translation>ペンを下ろしたときに落ちるしずく。</translation>
+    </message>
+    <message>
+        <source>What the bottle holds.</source>
+        <translation>瓶に入る量。</translation>
+    </message>
+    <message>
+        <source>Height over radius of a drop that has landed.</source>
+        <translation>落ちたしずくの高さと半径の比。</translation>
+    </message>
+    <message>
+        <source>0: evenly over the width, 1: thickest in the middle.</source>
+        <translation>0：幅全体に均等、1：中央が最も厚い。</translation>
+    </message>
+    <message>
+        <source>Time that drops fly on with the speed of the tip.</source>
+        <translation>しずくが穂先の速さで飛び続ける時間。</translation>
+    </message>
+    <message>
+        <source>Pressure in the middle of the jet.</source>
+        <translation>噴流の中央の圧力。</translation>
     </message>
 </context>
 <context>
@@ -2334,6 +5204,218 @@
         <source>The layers as pictures for other programs, in OpenRaster or PSD</source>
         <translation>レイヤーを画像として、ほかのプログラムのために OpenRaster か PSD で保存する</translation>
     </message>
+    <message>
+        <source>&amp;Image</source>
+        <translation>画像(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>切り取り(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Copy the layer&apos;s paint, or what is selected of it, and wipe it off</source>
+        <translation>レイヤーの絵具、またはその選択部分をコピーして拭き取ります</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>コピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Keep the layer&apos;s paint, or what is selected of it, to be pasted: wet as it is, and as a picture for other programs</source>
+        <translation>レイヤーの絵具、またはその選択部分を貼り付け用に保持します。濡れたまま、ほかのプログラムには画像として</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y merged</source>
+        <translation>結合したものをコピー(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>The same of all layers that are visible, as if they were one</source>
+        <translation>表示中のすべてのレイヤーを一枚のようにコピーします</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>貼り付け(&amp;P)</translation>
+    </message>
+    <message>
+        <source>What was copied as a new layer: paint where it was, or a picture of another program as dry paint</source>
+        <translation>コピーしたものを新しいレイヤーに: 絵具は元の位置に、ほかのプログラムの画像は乾いた絵具として</translation>
+    </message>
+    <message>
+        <source>Paste &amp;at cursor</source>
+        <translation>カーソル位置に貼り付け(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The same, with the middle of the copied paint where the pointer is</source>
+        <translation>同じく、コピーした絵具の中央をポインターの位置に</translation>
+    </message>
+    <message>
+        <source>Mirror image &amp;horizontally</source>
+        <translation>画像を左右反転(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Left and right of the whole painting change places, canvas and all</source>
+        <translation>絵全体の左右をキャンバスごと入れ替えます</translation>
+    </message>
+    <message>
+        <source>Mirror image &amp;vertically</source>
+        <translation>画像を上下反転(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Top and bottom of the whole painting change places, canvas and all</source>
+        <translation>絵全体の上下をキャンバスごと入れ替えます</translation>
+    </message>
+    <message>
+        <source>Rotate image 90° to the &amp;right</source>
+        <translation>画像を右に90°回転(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its right side</source>
+        <translation>絵全体を右の辺を下にして立てます</translation>
+    </message>
+    <message>
+        <source>Rotate image 90° to the &amp;left</source>
+        <translation>画像を左に90°回転(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its left side</source>
+        <translation>絵全体を左の辺を下にして立てます</translation>
+    </message>
+    <message>
+        <source>Rotate image &amp;180°</source>
+        <translation>画像を180°回転(&amp;1)</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its head</source>
+        <translation>絵全体を逆さに立てます</translation>
+    </message>
+    <message>
+        <source>F&amp;ill with the paint in hand</source>
+        <translation>手にした絵の具で塗りつぶす(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Pour an even film of wet paint over what is selected, or over the whole canvas</source>
+        <translation>選択範囲、またはキャンバス全体に、濡れた絵の具を均一な厚さで流す</translation>
+    </message>
+    <message>
+        <source>Fill with the s&amp;econd paint</source>
+        <translation>2番目の絵の具で塗りつぶす(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Pour an even film of the second paint over what is selected</source>
+        <translation>選択範囲に2番目の絵の具を均一な厚さで流す</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient of the two paints</source>
+        <translation>2つの絵の具のグラデーション(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Drag a line: the film goes from the paint in hand to the second one along it</source>
+        <translation>線をドラッグすると、それに沿って手にした絵の具から2番目の絵の具へ移り変わる</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness of fills...</source>
+        <translation>塗りつぶしの厚さ(&amp;T)...</translation>
+    </message>
+    <message>
+        <source>How thick a film of paint fills and gradients pour</source>
+        <translation>塗りつぶしとグラデーションで流す絵の具の厚さ</translation>
+    </message>
+    <message>
+        <source>Elli&amp;pse</source>
+        <translation>楕円(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Drag an ellipse that tools keep to; Shift adds, Alt takes away, Ctrl makes a circle</source>
+        <translation>ドラッグした楕円の中だけにツールが効くようにする。Shiftで追加、Altで除外、Ctrlで円</translation>
+    </message>
+    <message>
+        <source>Pol&amp;ygon</source>
+        <translation>多角形(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Click the corners of what tools keep to; Enter or a double click closes it</source>
+        <translation>ツールを効かせる範囲の角をクリックする。Enterまたはダブルクリックで閉じる</translation>
+    </message>
+    <message>
+        <source>&amp;Contiguous colour</source>
+        <translation>隣接する色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Click a colour: what hangs together there is selected; drag for more or less of it</source>
+        <translation>色をクリックすると、つながっている部分を選択する。ドラッグで範囲を増減</translation>
+    </message>
+    <message>
+        <source>&amp;Similar colour</source>
+        <translation>似た色(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Click a colour: it is selected wherever it is; drag for more or less of it</source>
+        <translation>色をクリックすると、その色をすべて選択する。ドラッグで範囲を増減</translation>
+    </message>
+    <message>
+        <source>&amp;Grow...</source>
+        <translation>拡張(&amp;G)...</translation>
+    </message>
+    <message>
+        <source>Make the selection wider on all sides</source>
+        <translation>選択範囲を全方向に広げる</translation>
+    </message>
+    <message>
+        <source>Shri&amp;nk...</source>
+        <translation>縮小(&amp;N)...</translation>
+    </message>
+    <message>
+        <source>Make the selection narrower on all sides</source>
+        <translation>選択範囲を全方向から狭める</translation>
+    </message>
+    <message>
+        <source>&amp;Border...</source>
+        <translation>境界線(&amp;B)...</translation>
+    </message>
+    <message>
+        <source>Select a band along the outline of the selection</source>
+        <translation>選択範囲の輪郭に沿った帯を選択する</translation>
+    </message>
+    <message>
+        <source>&amp;From the layer</source>
+        <translation>レイヤーから(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Select where the layer has paint, wet or dry</source>
+        <translation>レイヤーに絵の具がある部分を、濡れていても乾いていても選択する</translation>
+    </message>
+    <message>
+        <source>Brush e&amp;ditor...</source>
+        <translation>ブラシエディター(&amp;D)...</translation>
+    </message>
+    <message>
+        <source>Every number of the tool in hand, and the stroke that it paints</source>
+        <translation>今のツールのすべての数値と、それが描くストローク</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>お気に入り(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Keep the tool in hand among your favourites, which the list can show alone</source>
+        <translation>今のツールをお気に入りに加える。一覧にお気に入りだけを表示できる</translation>
+    </message>
+    <message>
+        <source>&amp;Import tools...</source>
+        <translation>ツールを読み込む(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>Add the tools of a bundle to your own</source>
+        <translation>バンドルのツールを自分のツールに加える</translation>
+    </message>
+    <message>
+        <source>E&amp;xport my tools...</source>
+        <translation>自分のツールを書き出す(&amp;X)...</translation>
+    </message>
+    <message>
+        <source>Write all tools of your own into a bundle, a file to keep or to give away</source>
+        <translation>自分のツールすべてを一つのバンドルファイルに書き出す。保存や配布に</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2360,26 +5442,6 @@
     <message>
         <source>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</source>
         <translation>%1 × %2 mm の立体。表面は %3 × %4 点、間隔は %5 mm です。</translation>
-    </message>
-    <message>
-        <source>%1 is a file; numbered pictures go into a folder.</source>
-        <translation>%1 はファイルです。連番画像はフォルダーに保存します。</translation>
-    </message>
-    <message>
-        <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
-        <translation>フォルダー %1 には別のタイムラプスのフレームがあります。別の名前にしてください。</translation>
-    </message>
-    <message>
-        <source>Nothing has been painted yet that a film could show.</source>
-        <translation>動画にできるものはまだ描かれていません。</translation>
-    </message>
-    <message>
-        <source>The file needs a name.</source>
-        <translation>ファイル名を入力してください。</translation>
-    </message>
-    <message>
-        <source>There is no folder %1.</source>
-        <translation>フォルダー %1 がありません。</translation>
     </message>
     <message numerus="yes">
         <source>%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.</source>
@@ -2858,6 +5920,13 @@
     <message>
         <source>Forget my own</source>
         <translation>自分のキーを消す</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::LengthDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
 </context>
 <context>
@@ -3389,6 +6458,14 @@
     <message>
         <source>Place of the traced picture</source>
         <translation>下絵の位置</translation>
+    </message>
+    <message>
+        <source>Paint pasted</source>
+        <translation>絵具の貼り付け</translation>
+    </message>
+    <message>
+        <source>Filled with paint</source>
+        <translation>絵の具で塗りつぶし</translation>
     </message>
 </context>
 <context>
@@ -4557,6 +7634,43 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::BrushBundles</name>
+    <message>
+        <source>Import tools</source>
+        <translation>ツールを読み込む</translation>
+    </message>
+    <message>
+        <source>Bundles of tools (*.zip)</source>
+        <translation>ツールのバンドル (*.zip)</translation>
+    </message>
+    <message>
+        <source>You have all tools of that bundle already.</source>
+        <translation>そのバンドルのツールはすべて持っています。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tool(s) added to your own.</source>
+        <translation>
+            <numerusform>%n個のツールを自分のツールに加えました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have no tools of your own yet; save the one in hand first.</source>
+        <translation>自分のツールはまだありません。まず今のツールを保存してください。</translation>
+    </message>
+    <message>
+        <source>Export my tools</source>
+        <translation>自分のツールを書き出す</translation>
+    </message>
+    <message>
+        <source>my-tools.zip</source>
+        <translation>my-tools.zip</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1を保存しました。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::BrushJar</name>
     <message>
         <source>%1 was read again; the next stroke is painted with it.</source>
@@ -4628,6 +7742,25 @@
     <message>
         <source>Meanwhile the canvas has become another one; that keeps its size.</source>
         <translation>その間にキャンバスが別のものになりました。大きさはそのままです。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Clipboard</name>
+    <message>
+        <source>There is no paint to copy here.</source>
+        <translation>ここにコピーする絵具はありません。</translation>
+    </message>
+    <message>
+        <source>Copied; paste it as a layer, or as a picture in another program.</source>
+        <translation>コピーしました。レイヤーとして、またはほかのプログラムで画像として貼り付けられます。</translation>
+    </message>
+    <message>
+        <source>Pasted</source>
+        <translation>貼り付け</translation>
+    </message>
+    <message>
+        <source>There is nothing to paste: no paint and no picture has been copied.</source>
+        <translation>貼り付けるものがありません。絵具も画像もコピーされていません。</translation>
     </message>
 </context>
 <context>
@@ -4763,6 +7896,49 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::FillCommands</name>
+    <message>
+        <source>Nothing was poured. Esc again goes back to painting.</source>
+        <translation>何も流していません。もう一度Escを押すと描画に戻ります。</translation>
+    </message>
+    <message>
+        <source>Drag a line from the paint in hand to the second paint; Shift keeps it level, upright or halfway. Esc, or taking a tool, goes back to painting.</source>
+        <translation>手にした絵の具から2番目の絵の具へ線をドラッグします。Shiftで水平、垂直、斜め45度に揃います。Escを押すか、ツールを選ぶと描画に戻ります。</translation>
+    </message>
+    <message>
+        <source>The brush paints again.</source>
+        <translation>ブラシで描けるようになりました。</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>記録を再生中です。終わると絵の具を使えます。</translation>
+    </message>
+    <message>
+        <source>%1 mm of paint are poured over the whole canvas.</source>
+        <translation>キャンバス全体に%1 mmの絵の具を流します。</translation>
+    </message>
+    <message>
+        <source>%1 mm of paint are poured over what is selected.</source>
+        <translation>選択範囲に%1 mmの絵の具を流します。</translation>
+    </message>
+    <message>
+        <source>Thickness of fills</source>
+        <translation>塗りつぶしの厚さ</translation>
+    </message>
+    <message>
+        <source>Fills and gradients pour an even film of wet paint, as thick as this: 0.05 mm shows what lies below, 0.2 mm covers, 1 mm stands as a paste.</source>
+        <translation>塗りつぶしとグラデーションは、濡れた絵の具をこの厚さで均一に流します。0.05 mmでは下が透け、0.2 mmで覆い、1 mmではペーストのように盛り上がります。</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚さ</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::GlassMode</name>
     <message>
         <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
@@ -4853,6 +8029,13 @@
     <message>
         <source>%1: wait for it, or cancel it.</source>
         <translation>%1：終わるのを待つか、中止してください。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Margin</name>
+    <message>
+        <source>Nothing would be left of the selection.</source>
+        <translation>選択範囲がなくなってしまいます。</translation>
     </message>
 </context>
 <context>
@@ -5265,6 +8448,77 @@
     <message>
         <source>rectangle</source>
         <translation>長方形</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>楕円</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>多角形</translation>
+    </message>
+    <message>
+        <source>contiguous colour</source>
+        <translation>隣接する色</translation>
+    </message>
+    <message>
+        <source>similar colour</source>
+        <translation>似た色</translation>
+    </message>
+    <message>
+        <source>Click the colour that tools shall keep to; drag to the right for more, to the left for less of it. Shift adds, Alt takes away, both keep what is in both.</source>
+        <translation>ツールを効かせたい色をクリックします。右へドラッグすると範囲が増え、左へドラッグすると減ります。Shiftで追加、Altで除外、両方で重なる部分を残します。</translation>
+    </message>
+    <message>
+        <source>Click the corners of what tools shall keep to. Enter or a double click closes it, Backspace takes the last corner back, Esc gives it up.</source>
+        <translation>ツールを効かせたい範囲の角をクリックします。Enterまたはダブルクリックで閉じ、Backspaceで最後の角を取り消し、Escで中止します。</translation>
+    </message>
+    <message>
+        <source>Colours that differ by up to %1. Drag to the right for more, to the left for less.</source>
+        <translation>差が%1以下の色です。右へドラッグすると増え、左へドラッグすると減ります。</translation>
+    </message>
+    <message>
+        <source>Tools keep to colours that differ by up to %1 from the one there. Esc, or taking a tool, goes back to painting.</source>
+        <translation>ツールはその場所の色との差が%1以下の色だけに効きます。Escを押すか、ツールを選ぶと描画に戻ります。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::SelectionMargins</name>
+    <message>
+        <source>Grow the selection</source>
+        <translation>選択範囲を拡張</translation>
+    </message>
+    <message>
+        <source>The selection becomes so much wider on all sides.</source>
+        <translation>選択範囲が全方向にこの幅だけ広がります。</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>拡張</translation>
+    </message>
+    <message>
+        <source>Shrink the selection</source>
+        <translation>選択範囲を縮小</translation>
+    </message>
+    <message>
+        <source>The selection becomes so much narrower on all sides, but not along the edges of the canvas.</source>
+        <translation>選択範囲が全方向からこの幅だけ狭まります。キャンバスの端に沿った部分は変わりません。</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>縮小</translation>
+    </message>
+    <message>
+        <source>Border of the selection</source>
+        <translation>選択範囲の境界線</translation>
+    </message>
+    <message>
+        <source>Selects a band so wide along the outline, half of it on either side.</source>
+        <translation>輪郭に沿ったこの幅の帯を、両側に半分ずつ選択します。</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>選択</translation>
     </message>
 </context>
 <context>
@@ -5713,6 +8967,392 @@
     <message>
         <source>How far it has to run before it is loosened, in times its own thickness</source>
         <translation>柔らかくなるまでに流れる距離。自分の厚みの何倍か</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>丸</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>平筆</translation>
+    </message>
+    <message>
+        <source>filbert</source>
+        <translation>フィルバート</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>ファン</translation>
+    </message>
+    <message>
+        <source>knife</source>
+        <translation>ナイフ</translation>
+    </message>
+    <message>
+        <source>comb</source>
+        <translation>コーム</translation>
+    </message>
+    <message>
+        <source>soft pad</source>
+        <translation>柔らかいパッド</translation>
+    </message>
+    <message>
+        <source>used as it is</source>
+        <translation>そのまま使う</translation>
+    </message>
+    <message>
+        <source>dipped in paint</source>
+        <translation>絵の具を含ませる</translation>
+    </message>
+    <message>
+        <source>stays on the tool</source>
+        <translation>ツールに残る</translation>
+    </message>
+    <message>
+        <source>is thrown away</source>
+        <translation>捨てる</translation>
+    </message>
+    <message>
+        <source>another in each stroke</source>
+        <translation>ストロークごとに変わる</translation>
+    </message>
+    <message>
+        <source>always the same</source>
+        <translation>いつも同じ</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形</translation>
+    </message>
+    <message>
+        <source>How the elements of the tip are arranged.</source>
+        <translation>穂先の要素の並び方。</translation>
+    </message>
+    <message>
+        <source>Before use</source>
+        <translation>使う前に</translation>
+    </message>
+    <message>
+        <source>A brush is dipped; a rag or a comb is used as it is.</source>
+        <translation>ブラシは絵の具を含ませる。布やコームはそのまま使う。</translation>
+    </message>
+    <message>
+        <source>What it takes</source>
+        <translation>取ったもの</translation>
+    </message>
+    <message>
+        <source>A rag throws away what it takes up; it never comes back.</source>
+        <translation>布は取った絵の具を捨てる。もう戻らない。</translation>
+    </message>
+    <message>
+        <source>Chance</source>
+        <translation>偶然</translation>
+    </message>
+    <message>
+        <source>Small random differences, such as where drops fall.</source>
+        <translation>しずくの落ちる場所など、小さな偶然の違い。</translation>
+    </message>
+    <message>
+        <source>%1 From %2 to %3%4.</source>
+        <translation>%1%2 から %3%4 まで。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚み</translation>
+    </message>
+    <message>
+        <source>Hair length</source>
+        <translation>毛の長さ</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>とがり</translation>
+    </message>
+    <message>
+        <source>Bristles</source>
+        <translation>毛束</translation>
+    </message>
+    <message>
+        <source>Hairs in each</source>
+        <translation>束ごとの毛</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>個体</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>曲がり</translation>
+    </message>
+    <message>
+        <source>Splay</source>
+        <translation>広がり</translation>
+    </message>
+    <message>
+        <source>Trail</source>
+        <translation>遅れ</translation>
+    </message>
+    <message>
+        <source>Press depth</source>
+        <translation>押し込み</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>傾き</translation>
+    </message>
+    <message>
+        <source>Into the weave</source>
+        <translation>布目への入り</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>硬さ</translation>
+    </message>
+    <message>
+        <source>Ride</source>
+        <translation>乗り</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>膜</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>持続</translation>
+    </message>
+    <message>
+        <source>Grooves</source>
+        <translation>うね</translation>
+    </message>
+    <message>
+        <source>Hair streaks</source>
+        <translation>毛筋</translation>
+    </message>
+    <message>
+        <source>Uneven load</source>
+        <translation>含みのむら</translation>
+    </message>
+    <message>
+        <source>Gathering</source>
+        <translation>まとまり</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>縁</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>描き始め</translation>
+    </message>
+    <message>
+        <source>Stays behind</source>
+        <translation>残し</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>届く深さ</translation>
+    </message>
+    <message>
+        <source>Pickup</source>
+        <translation>拾い</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>混ざり</translation>
+    </message>
+    <message>
+        <source>Wicking</source>
+        <translation>しみ渡り</translation>
+    </message>
+    <message>
+        <source> /mm</source>
+        <translation> /mm</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>引きずり</translation>
+    </message>
+    <message>
+        <source>Overflow</source>
+        <translation>あふれ</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>一歩</translation>
+    </message>
+    <message>
+        <source>Least step</source>
+        <translation>最小の一歩</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>なめらかさ</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation>ひも</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>しずく</translation>
+    </message>
+    <message>
+        <source> mm³</source>
+        <translation> mm³</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>ばらつき</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>流量</translation>
+    </message>
+    <message>
+        <source> mm³/s</source>
+        <translation> mm³/s</translation>
+    </message>
+    <message>
+        <source>First drop</source>
+        <translation>最初のしずく</translation>
+    </message>
+    <message>
+        <source>Bottle</source>
+        <translation>瓶</translation>
+    </message>
+    <message>
+        <source>Steepness</source>
+        <translation>盛り上がり</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>中央寄り</translation>
+    </message>
+    <message>
+        <source>Throw</source>
+        <translation>飛び</translation>
+    </message>
+    <message>
+        <source>Air pressure</source>
+        <translation>空気圧</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>穂先</translation>
+    </message>
+    <message>
+        <source>Hairs</source>
+        <translation>毛</translation>
+    </message>
+    <message>
+        <source>Paint it leaves</source>
+        <translation>残す絵の具</translation>
+    </message>
+    <message>
+        <source>Paint it takes</source>
+        <translation>取る絵の具</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>ストローク</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>しずく</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>空気</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::BrushEditor</name>
+    <message>
+        <source>Brush editor</source>
+        <translation>ブラシエディター</translation>
+    </message>
+    <message>
+        <source>A stroke of the tool in hand, pressed hardest in its middle</source>
+        <translation>今のツールのストローク。中ほどで最も強く押している</translation>
+    </message>
+    <message>
+        <source>The same stroke of the tool as it is saved</source>
+        <translation>保存されているツールの同じストローク</translation>
+    </message>
+    <message>
+        <source>As saved</source>
+        <translation>保存時</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Shows below the stroke of the tool as it is saved</source>
+        <translation>保存されているツールのストロークを下に表示する</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Takes back all changes of the tool in hand</source>
+        <translation>今のツールへの変更をすべて取り消す</translation>
+    </message>
+    <message>
+        <source>In hand</source>
+        <translation>手元</translation>
+    </message>
+    <message>
+        <source>Parts of the tool</source>
+        <translation>ツールの項目</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>カーブ</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1（変更あり）</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::BrushFinder</name>
+    <message>
+        <source>Which tools are listed</source>
+        <translation>一覧に出すツール</translation>
+    </message>
+    <message>
+        <source>Find a tool</source>
+        <translation>ツールを探す</translation>
+    </message>
+    <message>
+        <source>A few letters of its name or of its family; Return takes the first</source>
+        <translation>名前や種類の数文字。Return で先頭のツールを取る</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>お気に入り</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>自分のツール</translation>
     </message>
 </context>
 <context>
@@ -6765,6 +10405,13 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
 </context>
 <context>
+    <name>pastoso::panels::StrokeStrip</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::ThinningSlider</name>
     <message>
         <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
@@ -6845,6 +10492,33 @@ Drag: move the picture
     <message>
         <source>There is no OpenGL any more to draw the canvas with.</source>
         <translation>キャンバスを描く OpenGL が使えなくなりました。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::screens</name>
+    <message>
+        <source>All commands and their keys</source>
+        <translation>すべてのコマンドとキー</translation>
+    </message>
+    <message>
+        <source>In the order of the menus. &quot;Keys&quot; in the &quot;Settings&quot; menu changes them ([how](settings.md#keys)). This page is printed by the program; `packaging/screens.sh --manual` prints it anew.</source>
+        <translation>メニューの順に並んでいます。「設定」メニューの「キーの割り当て」で変えられます（[変え方](settings.md#keys)）。このページはプログラムが出力したもので、`packaging/screens.sh --manual`で出力し直せます。</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>like Krita</source>
+        <translation>Krita風</translation>
+    </message>
+    <message>
+        <source>like Photoshop</source>
+        <translation>Photoshop風</translation>
+    </message>
+    <message>
+        <source>does</source>
+        <translation>はたらき</translation>
     </message>
 </context>
 <context>
@@ -7132,6 +10806,14 @@ Drag: move the picture
     <message>
         <source>Stroke in the mixing well</source>
         <translation>混色皿でのストローク</translation>
+    </message>
+    <message>
+        <source>Canvas mirrored</source>
+        <translation>キャンバスの反転</translation>
+    </message>
+    <message>
+        <source>Canvas turned</source>
+        <translation>キャンバスの回転</translation>
     </message>
 </context>
 </TS>

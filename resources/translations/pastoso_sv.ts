@@ -104,6 +104,2689 @@
     </message>
 </context>
 <context>
+    <name>Engine</name>
+    <message>
+        <source>&quot;%1&quot; holds no picture and is left out.</source>
+        <translation>”%1” innehåller ingen bild och utelämnas.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2, but must lie between %3 and %4.</source>
+        <translation>”%1” är %2, men måste ligga mellan %3 och %4.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is known in millimetres only; in cells describe a &quot;weave&quot;.</source>
+        <translation>”%1” finns bara i millimeter; beskriv en ”weave” när måtten är i celler.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is needed on the canvas itself.</source>
+        <translation>”%1” behövs på själva duken.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither &quot;once&quot; nor &quot;reflected&quot;.</source>
+        <translation>”%1” är varken ”once” eller ”reflected”.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither K nor S.</source>
+        <translation>”%1” är varken K eller S.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no form of a shape; there are %2.</source>
+        <translation>”%1” är ingen av formerna; det finns %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tool that an eraser end can take.</source>
+        <translation>”%1” är inget verktyg som en suddände kan ta.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of &quot;particles&quot;, &quot;level_set&quot;, &quot;upwind_level_set&quot; and &quot;particle_level_set&quot;.</source>
+        <translation>”%1” är ingen av ”particles”, ”level_set”, ”upwind_level_set” och ”particle_level_set”.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2.</source>
+        <translation>”%1” är ingen av %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour such as #783c14.</source>
+        <translation>”%1” är ingen färg som till exempel #783c14.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour; a colour is # and six hexadecimal digits, for example #c03020.</source>
+        <translation>”%1” är ingen kulör; en kulör är # och sex hexadecimala siffror, till exempel #c03020.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number.</source>
+        <translation>”%1” är inget ändligt tal.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a key such as Ctrl+Shift+Z.</source>
+        <translation>”%1” är ingen tangent som till exempel Ctrl+Shift+Z.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number.</source>
+        <translation>”%1” är inget tal.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a wavelength in nm and a power with one comma.</source>
+        <translation>”%1” är inte en våglängd i nm och en effekt med ett kommatecken emellan.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of %2.</source>
+        <translation>”%1” är inte någon av %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of krita and photoshop.</source>
+        <translation>”%1” är varken krita eller photoshop.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the key of %2 already.</source>
+        <translation>”%1” är redan tangenten för %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the name of no command.</source>
+        <translation>”%1” är inget kommandos namn.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands here twice.</source>
+        <translation>”%1” står här två gånger.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands once for the whole file.</source>
+        <translation>”%1” anges en enda gång, för hela filen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was laid over the others by %2 and is laid over them as paint.</source>
+        <translation>”%1” lades över de andra med %2 och läggs över dem som färg.</translation>
+    </message>
+    <message>
+        <source>&quot;endloop&quot; is missing before %1.</source>
+        <translation>”endloop” saknas före %1.</translation>
+    </message>
+    <message>
+        <source>&quot;tilt&quot; and &quot;gravity&quot; say the same; give one of them.</source>
+        <translation>”tilt” och ”gravity” säger samma sak; ange bara en av dem.</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a finite number.</source>
+        <translation>%1 ”%2” är inget ändligt tal.</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;)</source>
+        <translation>%1 (”%2”)</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;): the field &quot;family&quot; is missing.</source>
+        <translation>%1 (”%2”): fältet ”family” saknas.</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;): thinned_with is &quot;%3&quot;, it must be the name of another medium here.</source>
+        <translation>%1 (”%2”): thinned_with är ”%3”, men måste vara namnet på ett annat medium i filen.</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+    <message>
+        <source>%1 Not read: %2</source>
+        <translation>%1 Inte läst: %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 och %2</translation>
+    </message>
+    <message>
+        <source>%1 does not belong in an STL file.</source>
+        <translation>%1 hör inte hemma i en STL-fil.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which cannot set &quot;%3&quot;.</source>
+        <translation>%1 är ”%2”, som inte kan styra ”%3”.</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which is none of: %3.</source>
+        <translation>%1 är ”%2”, som inte är någon av: %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 in cell (%3, %4), but must lie between 0 and %5 (cells count from 0 at the upper left).</source>
+        <translation>%1 är %2 i cell (%3, %4), men måste ligga mellan 0 och %5 (cellerna räknas från 0 uppe till vänster).</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be a number from %3 to %4.</source>
+        <translation>%1 är %2, men måste vara ett tal från %3 till %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be a text.</source>
+        <translation>%1 är %2, men måste vara en text.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, more than the length, %3.</source>
+        <translation>%1 är %2, mer än längden, %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not between %3 and %4.</source>
+        <translation>%1 är %2, inte mellan %3 och %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, outside %3 to %4.</source>
+        <translation>%1 är %2, utanför området %3 till %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so that more than 100000 drops a second would fall.</source>
+        <translation>%1 är %2, så att mer än 100000 droppar per sekund skulle falla.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, whose input is not above that of the point before it.</source>
+        <translation>%1 är %2, vars ingångsvärde inte ligger över den föregående punktens.</translation>
+    </message>
+    <message>
+        <source>%1 is a file; numbered pictures go into a folder.</source>
+        <translation>%1 är en fil; numrerade bilder läggs i en mapp.</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 är tomt.</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>%1 saknas.</translation>
+    </message>
+    <message>
+        <source>%1 is no corner of a face.</source>
+        <translation>%1 är inget hörn i en sidoyta.</translation>
+    </message>
+    <message>
+        <source>%1 is no number.</source>
+        <translation>%1 är inget tal.</translation>
+    </message>
+    <message>
+        <source>%1 is not a field of a brush preset (value %2).</source>
+        <translation>%1 är inget fält i en penselförinställning (värde %2).</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of %2 numbers.</source>
+        <translation>%1 är inte en lista med %2 tal.</translation>
+    </message>
+    <message>
+        <source>%1 is not above 0 and at most %2.</source>
+        <translation>%1 är inte större än 0 och högst %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not between %2 and %3.</source>
+        <translation>%1 är inte mellan %2 och %3.</translation>
+    </message>
+    <message>
+        <source>%1 is not finite in single precision.</source>
+        <translation>%1 är inte ändligt i enkel precision.</translation>
+    </message>
+    <message>
+        <source>%1 is not from %2 to %3.</source>
+        <translation>%1 ligger inte mellan %2 och %3.</translation>
+    </message>
+    <message>
+        <source>%1 must be a list, not %2.</source>
+        <translation>%1 måste vara en lista, inte %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2.</source>
+        <translation>%1 måste vara ett tal, inte %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be a text, not %2.</source>
+        <translation>%1 måste vara en text, inte %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2.</source>
+        <translation>%1 måste vara ett heltal, inte %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be an object, not %2.</source>
+        <translation>%1 måste vara ett objekt, inte %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false, not %2.</source>
+        <translation>%1 måste vara true eller false, inte %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be two numbers, not %2.</source>
+        <translation>%1 måste vara två tal, inte %2.</translation>
+    </message>
+    <message>
+        <source>%1 must have 1 to %2 points, not %3.</source>
+        <translation>%1 måste ha 1 till %2 punkter, inte %3.</translation>
+    </message>
+    <message>
+        <source>%1 names %2 %3, but %4 were given until here.</source>
+        <translation>%1 anger %2 %3, men hittills har bara %4 angetts.</translation>
+    </message>
+    <message>
+        <source>%1 needs about %2; %3 of memory are free.</source>
+        <translation>%1 behöver omkring %2; %3 minne är ledigt.</translation>
+    </message>
+    <message>
+        <source>%1 normal</source>
+        <translation>en normal i %1</translation>
+    </message>
+    <message>
+        <source>%1 of the pigment &quot;%2&quot; is given twice.</source>
+        <translation>%1 för pigmentet ”%2” anges två gånger.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 eller %2</translation>
+    </message>
+    <message>
+        <source>%1 per mm is negative.</source>
+        <translation>%1 per mm är negativt.</translation>
+    </message>
+    <message>
+        <source>%1 position</source>
+        <translation>en position i %1</translation>
+    </message>
+    <message>
+        <source>%1 triangles take %2 bytes, but the file has %3.</source>
+        <translation>%1 trianglar tar %2 byte, men filen har %3.</translation>
+    </message>
+    <message>
+        <source>%1 would have %2 x %3 cells; at most %4 a side are possible.</source>
+        <translation>%1 skulle ha %2 x %3 celler; högst %4 per sida är möjligt.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells need about %3; %4 of memory are free.</source>
+        <translation>%1 x %2 celler behöver omkring %3; %4 minne är ledigt.</translation>
+    </message>
+    <message>
+        <source>%1, %2 nm: %3 is not a number.</source>
+        <translation>%1, %2 nm: %3 är inget tal.</translation>
+    </message>
+    <message>
+        <source>%1, %2 nm: the weight %3 is negative.</source>
+        <translation>%1, %2 nm: vikten %3 är negativ.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, byte %2</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: %3</source>
+        <translation>%1, byte %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, entry %2</source>
+        <translation>%1, post %2</translation>
+    </message>
+    <message>
+        <source>%1, event %2: %3</source>
+        <translation>%1, händelse %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, rad %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not JSON, or it is cut off here.</source>
+        <translation>%1, rad %2: detta är inte JSON, eller så är filen avklippt här.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not valid JSON.</source>
+        <translation>%1, rad %2: detta är inte giltig JSON.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a list of %3 bands.</source>
+        <translation>%1: ”%2” är inte en lista med %3 band.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; stands there twice.</source>
+        <translation>%1: ”%2” står där två gånger.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 files do not hold %3-bit pictures.</source>
+        <translation>%1: %2-filer kan inte innehålla %3-bitarsbilder.</translation>
+    </message>
+    <message>
+        <source>%1: %2 files do not hold %3.</source>
+        <translation>%1: %2-filer kan inte innehålla %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 files hold at most %3 pixels a side; this picture has %4 x %5.</source>
+        <translation>%1: %2-filer rymmer högst %3 pixlar per sida; den här bilden har %4 x %5.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the pigment &quot;%3&quot; is %4 per mm in band %5 of %6, above the %7 that paint can have; give the pigment in a weaker paint.</source>
+        <translation>%1: %2 för pigmentet ”%3” är %4 per mm i band %5 av %6, över de %7 som färg kan ha; ange pigmentet i en svagare färg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 x %3 pixels are more than the %4 a side that a PSD file holds.</source>
+        <translation>%1: %2 x %3 pixlar är mer än de %4 per sida som en PSD-fil rymmer.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: 32 bits a channel hold linear light, which needs no ICC profile.</source>
+        <translation>%1: 32 bitar per kanal innehåller linjärt ljus, som inte behöver någon ICC-profil.</translation>
+    </message>
+    <message>
+        <source>%1: a PSD file of these layers would be larger than 2 GB.</source>
+        <translation>%1: en PSD-fil av de här lagren skulle bli större än 2 GB.</translation>
+    </message>
+    <message>
+        <source>%1: a batch begins at an action or tick that cannot be.</source>
+        <translation>%1: en bunt börjar vid en åtgärd eller ett tick som inte kan finnas.</translation>
+    </message>
+    <message>
+        <source>%1: a batch is too short.</source>
+        <translation>%1: en bunt är för kort.</translation>
+    </message>
+    <message>
+        <source>%1: a copy in layers is saved as .ora or .psd; this name ends in neither.</source>
+        <translation>%1: en kopia i lager sparas som .ora eller .psd; det här namnet slutar på något annat.</translation>
+    </message>
+    <message>
+        <source>%1: a mesh is read from .obj or .stl; this name ends otherwise.</source>
+        <translation>%1: ett triangelnät läses från .obj eller .stl; det här namnet slutar på något annat.</translation>
+    </message>
+    <message>
+        <source>%1: a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in none of them.</source>
+        <translation>%1: en bild sparas som .png, .tif, .jpg, .webp eller .exr; det här namnet slutar på något annat.</translation>
+    </message>
+    <message>
+        <source>%1: a relief is saved as .stl, .ply or .obj; this name ends in none of them.</source>
+        <translation>%1: en relief sparas som .stl, .ply eller .obj; det här namnet slutar på inget av dem.</translation>
+    </message>
+    <message>
+        <source>%1: a relief is saved as .stl, .ply or .obj; this name ends otherwise.</source>
+        <translation>%1: en relief sparas som .stl, .ply eller .obj; det här namnet slutar på något annat.</translation>
+    </message>
+    <message>
+        <source>%1: a scene is saved as .pbrt; this name ends otherwise.</source>
+        <translation>%1: en scen sparas som .pbrt; det här namnet slutar på något annat.</translation>
+    </message>
+    <message>
+        <source>%1: a surface is saved as .obj, .ply, .stl or .pbrt; this name ends otherwise.</source>
+        <translation>%1: en yta sparas som .obj, .ply, .stl eller .pbrt; det här namnet slutar på något annat.</translation>
+    </message>
+    <message>
+        <source>%1: a video is made by the program ffmpeg, which is not installed; a folder&apos;s name instead gives numbered pictures.</source>
+        <translation>%1: en video görs av programmet ffmpeg, som inte är installerat; namnet på en mapp ger numrerade bilder i stället.</translation>
+    </message>
+    <message>
+        <source>%1: a video is saved as .mp4, .mkv or .webm, and a folder&apos;s name has no ending.</source>
+        <translation>%1: en video sparas som .mp4, .mkv eller .webm, och namnet på en mapp har ingen ändelse.</translation>
+    </message>
+    <message>
+        <source>%1: a volume is saved as .vdb; this name ends otherwise.</source>
+        <translation>%1: en volym sparas som .vdb; det här namnet slutar på något annat.</translation>
+    </message>
+    <message>
+        <source>%1: another program is at it.</source>
+        <translation>%1: ett annat program arbetar med den.</translation>
+    </message>
+    <message>
+        <source>%1: band %2 of &quot;%3&quot;</source>
+        <translation>%1: band %2 av ”%3”</translation>
+    </message>
+    <message>
+        <source>%1: cannot be created (%2).</source>
+        <translation>%1: kan inte skapas (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2).</source>
+        <translation>%1: kan inte öppnas (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2).</source>
+        <translation>%1: kan inte läsas (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read to its end.</source>
+        <translation>%1: kan inte läsas till slutet.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be removed (%2).</source>
+        <translation>%1: kan inte tas bort (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2).</source>
+        <translation>%1: kan inte skrivas (%2).</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2); what is painted now can be saved, but not recovered.</source>
+        <translation>%1: kan inte skrivas (%2); det som målas nu kan sparas, men inte återskapas.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written, since this program was built without OpenVDB.</source>
+        <translation>%1: kan inte skrivas, eftersom det här programmet är byggt utan OpenVDB.</translation>
+    </message>
+    <message>
+        <source>%1: does not say what was painted on.</source>
+        <translation>%1: säger inte vad det målades på.</translation>
+    </message>
+    <message>
+        <source>%1: expected the name of a pigment.</source>
+        <translation>%1: här ska namnet på ett pigment stå.</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg cannot be started (%2).</source>
+        <translation>%1: ffmpeg kan inte startas (%2).</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg cannot make the video (%2).</source>
+        <translation>%1: ffmpeg kan inte göra videon (%2).</translation>
+    </message>
+    <message>
+        <source>%1: holds a number that is too large (%2).</source>
+        <translation>%1: innehåller ett tal som är för stort (%2).</translation>
+    </message>
+    <message>
+        <source>%1: holds a number that is too large.</source>
+        <translation>%1: innehåller ett tal som är för stort.</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile for %2, but the picture&apos;s values are red, green and blue.</source>
+        <translation>%1: innehåller en ICC-profil för %2, men bildens värden är rött, grönt och blått.</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile that cannot be applied (%2).</source>
+        <translation>%1: innehåller en ICC-profil som inte kan användas (%2).</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile that is none (%2).</source>
+        <translation>%1: innehåller en ogiltig ICC-profil (%2).</translation>
+    </message>
+    <message>
+        <source>%1: holds frames of another time-lapse; name another folder, or remove them.</source>
+        <translation>%1: innehåller bildrutor från en annan timelapse; ange en annan mapp, eller ta bort dem.</translation>
+    </message>
+    <message>
+        <source>%1: holds no actions of a painting.</source>
+        <translation>%1: innehåller inga åtgärder från en målning.</translation>
+    </message>
+    <message>
+        <source>%1: holds no stroke; expected lines &quot;seconds x y pressure&quot;, some with a pressure above 0.</source>
+        <translation>%1: innehåller inget penseldrag; här ska det stå rader med ”sekunder x y tryck”, varav några med ett tryck över 0.</translation>
+    </message>
+    <message>
+        <source>%1: holds no strokes that could be painted again.</source>
+        <translation>%1: innehåller inga penseldrag som kan målas om.</translation>
+    </message>
+    <message>
+        <source>%1: is %2, not a file.</source>
+        <translation>%1: är %2, inte en fil.</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile for %2, but a picture is written in red, green and blue.</source>
+        <translation>%1: är en ICC-profil för %2, men en bild skrivs i rött, grönt och blått.</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile for %2, but a screen shows red, green and blue.</source>
+        <translation>%1: är en ICC-profil för %2, men en skärm visar rött, grönt och blått.</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no colour can be shown with (%2).</source>
+        <translation>%1: är en ICC-profil som inga färger kan visas med (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no picture can be written in (%2).</source>
+        <translation>%1: är en ICC-profil som ingen bild kan skrivas i (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no print can be shown with (%2).</source>
+        <translation>%1: är en ICC-profil som ingen utskrift kan visas med (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is an OpenRaster picture of another program; it holds no wet paint.</source>
+        <translation>%1: är en OpenRaster-bild från ett annat program; den innehåller ingen våt färg.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; %2 actions after it are lost.</source>
+        <translation>%1: är skadad; %2 åtgärder därefter har gått förlorade.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; 1 action after it is lost.</source>
+        <translation>%1: är skadad; 1 åtgärd därefter har gått förlorad.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; the painting is there, but some of its strokes are missing, so that they cannot be replayed.</source>
+        <translation>%1: är skadad; målningen finns, men några av dess penseldrag saknas, så att de inte kan spelas upp.</translation>
+    </message>
+    <message>
+        <source>%1: is larger than the %2 bytes that are read at most.</source>
+        <translation>%1: är större än de %2 byte som läses som mest.</translation>
+    </message>
+    <message>
+        <source>%1: is no ICC profile (%2).</source>
+        <translation>%1: är ingen ICC-profil (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is no OpenRaster file, which would hold %2.</source>
+        <translation>%1: är ingen OpenRaster-fil, som skulle innehålla %2.</translation>
+    </message>
+    <message>
+        <source>%1: is no painting of Pastoso, or its end is missing (%2).</source>
+        <translation>%1: är ingen målning från Pastoso, eller så saknas slutet (%2).</translation>
+    </message>
+    <message>
+        <source>%1: is no painting of Pastoso.</source>
+        <translation>%1: är ingen målning från Pastoso.</translation>
+    </message>
+    <message>
+        <source>%1: is not a list of media in square brackets.</source>
+        <translation>%1: är inte en lista med medier inom hakparenteser.</translation>
+    </message>
+    <message>
+        <source>%1: is not an object in braces.</source>
+        <translation>%1: är inte ett objekt inom klammerparenteser.</translation>
+    </message>
+    <message>
+        <source>%1: is of another moment.</source>
+        <translation>%1: är från ett annat ögonblick.</translation>
+    </message>
+    <message>
+        <source>%1: is write-protected; allow writing to it, or choose another name.</source>
+        <translation>%1: är skrivskyddad; tillåt skrivning till den, eller välj ett annat namn.</translation>
+    </message>
+    <message>
+        <source>%1: is written, but may be lost in a power cut (%2).</source>
+        <translation>%1: är skriven, men kan gå förlorad vid ett strömavbrott (%2).</translation>
+    </message>
+    <message>
+        <source>%1: keeps frames of %2; choose another folder.</source>
+        <translation>%1: innehåller bildrutor av %2; välj en annan mapp.</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects are nested more than %2 deep.</source>
+        <translation>%1: listor och objekt är nästlade mer än %2 nivåer djupt.</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects stand more than %2 deep in each other.</source>
+        <translation>%1: listor och objekt ligger mer än %2 nivåer djupt i varandra.</translation>
+    </message>
+    <message>
+        <source>%1: maps are saved as .png, .tif or .exr; %2 files do not hold heights.</source>
+        <translation>%1: texturkartor sparas som .png, .tif eller .exr; %2-filer kan inte innehålla höjder.</translation>
+    </message>
+    <message>
+        <source>%1: name is &quot;%2&quot;, which another preset of yours has already.</source>
+        <translation>%1: name är ”%2”, som redan är namnet på ett annat av dina verktyg.</translation>
+    </message>
+    <message>
+        <source>%1: only .exr files hold layers.</source>
+        <translation>%1: bara .exr-filer kan innehålla lager.</translation>
+    </message>
+    <message>
+        <source>%1: only .exr files hold the layers&apos; heights and normals.</source>
+        <translation>%1: bara .exr-filer kan innehålla lagrens höjder och normaler.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of vertex %3 is not finite; nothing was written.</source>
+        <translation>%1: hörnpunkt %3 har en %2 som inte är ändlig; inget skrevs.</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full.</source>
+        <translation>%1: disken är full.</translation>
+    </message>
+    <message>
+        <source>%1: the entry &quot;%2&quot; is missing.</source>
+        <translation>%1: posten ”%2” saknas.</translation>
+    </message>
+    <message>
+        <source>%1: the list &quot;%2&quot; of paints is missing.</source>
+        <translation>%1: listan ”%2” med färger saknas.</translation>
+    </message>
+    <message>
+        <source>%1: the name &quot;%2&quot; begins with #, as only colours do.</source>
+        <translation>%1: namnet ”%2” börjar med #, som bara kulörer gör.</translation>
+    </message>
+    <message>
+        <source>%1: the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.</source>
+        <translation>%1: namnet måste sluta på .pbrt, .obj, .ply eller .stl. Välj en av dem.</translation>
+    </message>
+    <message>
+        <source>%1: the pigment &quot;%2&quot; has no line for %3.</source>
+        <translation>%1: pigmentet ”%2” har ingen rad för %3.</translation>
+    </message>
+    <message>
+        <source>%1: the readings go from %2 to %3 nm; a light is needed from 400 to 700 nm.</source>
+        <translation>%1: mätvärdena går från %2 till %3 nm; ett ljus behövs från 400 till 700 nm.</translation>
+    </message>
+    <message>
+        <source>%1: the system refuses this (%2).</source>
+        <translation>%1: systemet tillåter inte detta (%2).</translation>
+    </message>
+    <message>
+        <source>%1: the weights add up to %2 instead of 1.</source>
+        <translation>%1: vikternas summa är %2 i stället för 1.</translation>
+    </message>
+    <message>
+        <source>%1: there are more than %2 triangles.</source>
+        <translation>%1: det finns fler än %2 trianglar.</translation>
+    </message>
+    <message>
+        <source>%1: there is already a pigment &quot;%2&quot;; give yours another name.</source>
+        <translation>%1: det finns redan ett pigment ”%2”; ge ditt ett annat namn.</translation>
+    </message>
+    <message>
+        <source>%1: there is no colour in this palette.</source>
+        <translation>%1: det finns ingen kulör i den här paletten.</translation>
+    </message>
+    <message>
+        <source>%1: there is no pigment &quot;%2&quot;.</source>
+        <translation>%1: det finns inget pigment ”%2”.</translation>
+    </message>
+    <message>
+        <source>%1: there is no pigment in this file.</source>
+        <translation>%1: det finns inget pigment i den här filen.</translation>
+    </message>
+    <message>
+        <source>%1: there is no reading of a light in this file.</source>
+        <translation>%1: det finns inget mätvärde för ett ljus i den här filen.</translation>
+    </message>
+    <message>
+        <source>%1: this file of the program itself is missing; reinstall it or set PASTOSO_RESOURCES to the folder that holds it.</source>
+        <translation>%1: den här filen, som hör till själva programmet, saknas; installera om det eller sätt PASTOSO_RESOURCES till mappen som innehåller den.</translation>
+    </message>
+    <message>
+        <source>%1: this folder cannot be made (%2).</source>
+        <translation>%1: den här mappen kan inte skapas (%2).</translation>
+    </message>
+    <message>
+        <source>%1: this format holds linear light, which needs no ICC profile.</source>
+        <translation>%1: det här formatet innehåller linjärt ljus, som inte behöver någon ICC-profil.</translation>
+    </message>
+    <message>
+        <source>%1: this is not valid JSON.</source>
+        <translation>%1: detta är inte giltig JSON.</translation>
+    </message>
+    <message>
+        <source>%1: this light has no power that is seen.</source>
+        <translation>%1: det här ljuset har ingen effekt som syns.</translation>
+    </message>
+    <message>
+        <source>%1: this light is so nearly a pure colour that nothing looks white in it.</source>
+        <translation>%1: det här ljuset är så nära en ren kulör att inget ser vitt ut i det.</translation>
+    </message>
+    <message>
+        <source>%1: this part of the program cannot be loaded (%2).</source>
+        <translation>%1: den här delen av programmet kan inte laddas (%2).</translation>
+    </message>
+    <message>
+        <source>%1: this part of the program is of another version; reinstall it.</source>
+        <translation>%1: den här delen av programmet är av en annan version; installera om den.</translation>
+    </message>
+    <message>
+        <source>%1: was saved by Pastoso with another form of %2; where nothing is painted, the canvas looks different.</source>
+        <translation>%1: sparades av Pastoso med en annan form av %2; där inget är målat ser duken annorlunda ut.</translation>
+    </message>
+    <message>
+        <source>16-bit pictures</source>
+        <translation>16-bitarsbilder</translation>
+    </message>
+    <message>
+        <source>8-bit pictures</source>
+        <translation>8-bitarsbilder</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; is left out.</source>
+        <translation>&lt;%1&gt; utelämnas.</translation>
+    </message>
+    <message>
+        <source>A brush needs a name.</source>
+        <translation>En pensel behöver ett namn.</translation>
+    </message>
+    <message>
+        <source>A canvas of %1 x %2 mm at %3 px/mm</source>
+        <translation>En duk på %1 x %2 mm med %3 px/mm</translation>
+    </message>
+    <message>
+        <source>A diffusivity of %1 m2/s over %2 s; both must be 0 or more.</source>
+        <translation>En diffusivitet på %1 m2/s under %2 s; båda måste vara 0 eller mer.</translation>
+    </message>
+    <message>
+        <source>A diffusivity or viscosity of %1 m2/s is too large for a step of %2 s.</source>
+        <translation>En diffusivitet eller viskositet på %1 m2/s är för stor för ett steg på %2 s.</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s ball</source>
+        <translation>En droppes kula</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s coldness</source>
+        <translation>En droppes kyla</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s place</source>
+        <translation>En droppes läge</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s shape is none.</source>
+        <translation>En droppe har en form som inte finns.</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s volume</source>
+        <translation>En droppes volym</translation>
+    </message>
+    <message>
+        <source>A particle of this state is not within the tank.</source>
+        <translation>En partikel i det här tillståndet ligger inte i tanken.</translation>
+    </message>
+    <message>
+        <source>A picture</source>
+        <translation>En bild</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than the 268 million that can be rendered.</source>
+        <translation>En bild på %1 x %2 pixlar är större än de 268 miljoner som kan renderas.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than the 32768 a side that can be made.</source>
+        <translation>En bild på %1 x %2 pixlar är större än de 32768 per sida som kan göras.</translation>
+    </message>
+    <message>
+        <source>A relief of %1 x %2 points is more than the 25 million that can be made; a coarser resolution takes fewer.</source>
+        <translation>En relief på %1 x %2 punkter är mer än de 25 miljoner som kan göras; en grövre upplösning ger färre.</translation>
+    </message>
+    <message>
+        <source>Cannot make the folder %1: %2.</source>
+        <translation>Kan inte skapa mappen %1: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot write </source>
+        <translation>Kan inte skriva </translation>
+    </message>
+    <message>
+        <source>Cup, box, cells, time step, seed and the recipe&apos;s milk cannot change while the tea runs.</source>
+        <translation>Glas, låda, celler, tidssteg, frö och receptets mjölk kan inte ändras medan teet är i gång.</translation>
+    </message>
+    <message>
+        <source>Nothing has been painted yet that a film could show.</source>
+        <translation>Ännu har inget målats som en film kan visa.</translation>
+    </message>
+    <message>
+        <source>OpenGL reports error %1</source>
+        <translation>OpenGL meldar fel %1</translation>
+    </message>
+    <message>
+        <source>PASTOSO_ISA is &quot;%1&quot;, but there are baseline, avx2 and avx512.</source>
+        <translation>PASTOSO_ISA är ”%1”, men det finns baseline, avx2 och avx512.</translation>
+    </message>
+    <message>
+        <source>The %1 of the canvas is %2 %3, but must lie between %4 and %5.</source>
+        <translation>Dukens %1 är %2 %3, men måste ligga mellan %4 och %5.</translation>
+    </message>
+    <message>
+        <source>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</source>
+        <translation>Vätskans låda har %1 x %2 x %3 celler; varje sida får ha 2 till %4.</translation>
+    </message>
+    <message>
+        <source>The canvas is %1 x %2 cells, more than this graphics driver can show.</source>
+        <translation>Duken är %1 x %2 celler, mer än den här grafikdrivrutinen kan visa.</translation>
+    </message>
+    <message>
+        <source>The cells of the box of liquid are %1 m wide, which is no size.</source>
+        <translation>Cellerna i vätskans låda är %1 m breda, vilket inte är någon storlek.</translation>
+    </message>
+    <message>
+        <source>The cup&apos;s radius at its level</source>
+        <translation>Glasets radie vid vätskenivån</translation>
+    </message>
+    <message>
+        <source>The diffusivity or viscosity is %1 m2/s; it must be 0 or more.</source>
+        <translation>Diffusiviteten eller viskositeten är %1 m2/s; den måste vara 0 eller mer.</translation>
+    </message>
+    <message>
+        <source>The file needs a name.</source>
+        <translation>Filen behöver ett namn.</translation>
+    </message>
+    <message>
+        <source>The film is of %1 media, but may be of %2 at most.</source>
+        <translation>Skiktet består av %1 medier, men får bestå av högst %2.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
+        <translation>Mappen %1 innehåller bildrutor från en annan timelapse; ange en annan.</translation>
+    </message>
+    <message>
+        <source>The graphics card cannot draw the canvas: %1.</source>
+        <translation>Grafikkortet kan inte rita duken: %1.</translation>
+    </message>
+    <message>
+        <source>The graphics driver refuses a program that pictures are drawn with: %1</source>
+        <translation>Grafikdrivrutinen vägrar ett program som bilder ritas med: %1</translation>
+    </message>
+    <message>
+        <source>The height of the support</source>
+        <translation>Underlagets höjd</translation>
+    </message>
+    <message>
+        <source>The latest strokes %1</source>
+        <translation>De senaste penseldragen %1</translation>
+    </message>
+    <message>
+        <source>The light&apos;s %1 is %2, outside the range from %3 to %4.</source>
+        <translation>Ljuset: %1 är %2, utanför området från %3 till %4.</translation>
+    </message>
+    <message>
+        <source>The milk that was poured</source>
+        <translation>Mjölken som hällts i</translation>
+    </message>
+    <message>
+        <source>The next ball&apos;s time</source>
+        <translation>Nästa kulas tid</translation>
+    </message>
+    <message>
+        <source>The number of balls</source>
+        <translation>Antalet kulor</translation>
+    </message>
+    <message>
+        <source>The number of parcels</source>
+        <translation>Antalet droppar</translation>
+    </message>
+    <message>
+        <source>The painting is as it was saved, but its strokes %1</source>
+        <translation>Målningen är som den sparades, men dess penseldrag %1</translation>
+    </message>
+    <message>
+        <source>The painting is recovered up to an action that cannot be repeated: %1</source>
+        <translation>Målningen är återskapad fram till en åtgärd som inte kan upprepas: %1</translation>
+    </message>
+    <message>
+        <source>The painting is whole, but its strokes cannot be replayed: %1</source>
+        <translation>Målningen är hel, men dess penseldrag kan inte spelas upp: %1</translation>
+    </message>
+    <message>
+        <source>The part of the canvas to render is empty or reaches beyond the canvas.</source>
+        <translation>Den del av duken som ska renderas är tom eller når utanför duken.</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s scale is %1 pixels per cell, outside the range from 1/64 to 64.</source>
+        <translation>Bildens skala är %1 pixlar per cell, utanför området från 1/64 till 64.</translation>
+    </message>
+    <message>
+        <source>The pressure is allowed %1 iterations; it needs at least 1.</source>
+        <translation>Trycket får ta %1 iterationer; det behöver minst 1.</translation>
+    </message>
+    <message>
+        <source>The pressure&apos;s tolerance is %1; it may be 1e-7 to 1.</source>
+        <translation>Tryckets tolerans är %1; den får vara 1e-7 till 1.</translation>
+    </message>
+    <message>
+        <source>The relief&apos;s %1 is %2, outside the range from %3 to %4.</source>
+        <translation>Reliefens %1 är %2, utanför området från %3 till %4.</translation>
+    </message>
+    <message>
+        <source>The state is that of another box of cells.</source>
+        <translation>Tillståndet hör till en annan låda av celler.</translation>
+    </message>
+    <message>
+        <source>The step</source>
+        <translation>Steget</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s end</source>
+        <translation>Strålens slut</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s parcels</source>
+        <translation>Strålens droppar</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s place</source>
+        <translation>Strålens läge</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s time</source>
+        <translation>Strålens tid</translation>
+    </message>
+    <message>
+        <source>The support &quot;image&quot; needs a height image; none is named.</source>
+        <translation>Underlaget ”image” behöver en höjdbild; ingen är angiven.</translation>
+    </message>
+    <message>
+        <source>The thickness of the film</source>
+        <translation>Skiktets tjocklek</translation>
+    </message>
+    <message>
+        <source>The time of this state is not one of a tank.</source>
+        <translation>Det här tillståndets tid kan inte höra till en tank.</translation>
+    </message>
+    <message>
+        <source>The time step is %1 s; it must be 0 or more.</source>
+        <translation>Tidssteget är %1 s; det måste vara 0 eller mer.</translation>
+    </message>
+    <message>
+        <source>The varnish&apos;s %1 is %2, outside the range from 0 to 1.</source>
+        <translation>Fernissans %1 är %2, utanför området från 0 till 1.</translation>
+    </message>
+    <message>
+        <source>The viscosity is %1 m2/s; it must be 0 or more.</source>
+        <translation>Viskositeten är %1 m2/s; den måste vara 0 eller mer.</translation>
+    </message>
+    <message>
+        <source>The vorticity confinement is %1; it may be 0 to 0.3.</source>
+        <translation>Bevarandet av virvlar är %1; det får vara 0 till 0.3.</translation>
+    </message>
+    <message>
+        <source>The wall&apos;s distance at (%1, %2, %3) m is not a number.</source>
+        <translation>Avståndet till väggen vid (%1, %2, %3) m är inget tal.</translation>
+    </message>
+    <message>
+        <source>There are %1 values for the %2 x %3 cells of the canvas.</source>
+        <translation>Det finns %1 värden för dukens %2 x %3 celler.</translation>
+    </message>
+    <message>
+        <source>There is already a brush &quot;%1&quot;.</source>
+        <translation>Det finns redan en pensel ”%1”.</translation>
+    </message>
+    <message>
+        <source>There is already a file %1.</source>
+        <translation>Det finns redan en fil %1.</translation>
+    </message>
+    <message>
+        <source>There is no brush &quot;%1&quot;; the brushes are %2.</source>
+        <translation>Det finns ingen pensel ”%1”; penslarna är %2.</translation>
+    </message>
+    <message>
+        <source>There is no case &quot;%1&quot;, only %2.</source>
+        <translation>Det finns inget fall ”%1”, bara %2.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Det finns ingen mapp %1.</translation>
+    </message>
+    <message>
+        <source>There is no light &quot;%1&quot;; there are D65, D50, A and LED, or give the path of a CSV file.</source>
+        <translation>Det finns inget ljus ”%1”; det finns D65, D50, A och LED, eller ange sökvägen till en CSV-fil.</translation>
+    </message>
+    <message>
+        <source>There is no medium &quot;%1&quot;; the media are: %2.</source>
+        <translation>Det finns inget medium ”%1”; medierna är: %2.</translation>
+    </message>
+    <message>
+        <source>There is no picture yet that could be saved.</source>
+        <translation>Det finns ännu ingen bild att spara.</translation>
+    </message>
+    <message>
+        <source>There is no pigment &quot;%1&quot;; %2</source>
+        <translation>Det finns inget pigment ”%1”; %2</translation>
+    </message>
+    <message>
+        <source>There is no pigment &quot;%1&quot;; did you mean %2; %3</source>
+        <translation>Det finns inget pigment ”%1”; kanske menas %2; %3</translation>
+    </message>
+    <message>
+        <source>There is no scene &quot;%1&quot;; give a file ending in .json, or one of: %2.</source>
+        <translation>Det finns ingen scen ”%1”; ange en fil som slutar på .json, eller en av: %2.</translation>
+    </message>
+    <message>
+        <source>There is no support &quot;%1&quot;; the supports are: %2.</source>
+        <translation>Det finns inget underlag ”%1”; underlagen är: %2.</translation>
+    </message>
+    <message>
+        <source>This is the state of a level set, not of particles.</source>
+        <translation>Detta är tillståndet för en nivåmängd, inte för partiklar.</translation>
+    </message>
+    <message>
+        <source>This is the state of a tank that is followed in another way.</source>
+        <translation>Detta är tillståndet för en tank som följs på ett annat sätt.</translation>
+    </message>
+    <message>
+        <source>This is the state of another tank.</source>
+        <translation>Detta är tillståndet för en annan tank.</translation>
+    </message>
+    <message>
+        <source>a bristle holds what none can.</source>
+        <translation>ett borst innehåller något som inget borst kan innehålla.</translation>
+    </message>
+    <message>
+        <source>a cap is at most a half sphere: its thickness %1 must lie above 0 and not above its radius %2.</source>
+        <translation>en kalott är högst ett halvt klot: dess tjocklek %1 måste ligga över 0 och inte över dess radie %2.</translation>
+    </message>
+    <message>
+        <source>a cell holds more of its media than it holds paint.</source>
+        <translation>en cell innehåller mer av sina medier än den innehåller färg.</translation>
+    </message>
+    <message>
+        <source>a combination has no parts.</source>
+        <translation>en kombination har inga delar.</translation>
+    </message>
+    <message>
+        <source>a corner of triangle %1 is not finite (%2).</source>
+        <translation>ett hörn i triangel %1 är inte ändligt (%2).</translation>
+    </message>
+    <message>
+        <source>a corner stands outside of a loop.</source>
+        <translation>ett hörn står utanför en slinga.</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>en enhet</translation>
+    </message>
+    <message>
+        <source>a document type is not read here.</source>
+        <translation>en dokumenttyp kan inte läsas här.</translation>
+    </message>
+    <message>
+        <source>a face has %1 corners, not three or more.</source>
+        <translation>en sidoyta har %1 hörn, inte tre eller fler.</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>en fil</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>en mapp</translation>
+    </message>
+    <message>
+        <source>a glass of milk tea</source>
+        <translation>ett glas mjölkte</translation>
+    </message>
+    <message>
+        <source>a group needs a layer.</source>
+        <translation>en grupp behöver ett lager.</translation>
+    </message>
+    <message>
+        <source>a height of the support</source>
+        <translation>en höjd hos underlaget</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>en lista</translation>
+    </message>
+    <message>
+        <source>a loop begins within another one.</source>
+        <translation>en slinga börjar inuti en annan.</translation>
+    </message>
+    <message>
+        <source>a loop ends that has no three corners.</source>
+        <translation>en slinga slutar utan att ha tre hörn.</translation>
+    </message>
+    <message>
+        <source>a mixture</source>
+        <translation>en blandning</translation>
+    </message>
+    <message>
+        <source>a named pipe</source>
+        <translation>ett namngivet rör</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>ett tal</translation>
+    </message>
+    <message>
+        <source>a number is missing.</source>
+        <translation>ett tal saknas.</translation>
+    </message>
+    <message>
+        <source>a painting has 1 to %1 layers, not %2.</source>
+        <translation>en målning har 1 till %1 lager, inte %2.</translation>
+    </message>
+    <message>
+        <source>a painting has at most %1 layers.</source>
+        <translation>en målning har högst %1 lager.</translation>
+    </message>
+    <message>
+        <source>a painting keeps its last layer.</source>
+        <translation>en målning behåller sitt sista lager.</translation>
+    </message>
+    <message>
+        <source>a picture on it has no strokes, and comes no finer than it is.</source>
+        <translation>en bild på den har inga penseldrag, och blir inte finare än den är.</translation>
+    </message>
+    <message>
+        <source>a point of an outline has two numbers, x and y.</source>
+        <translation>en punkt i en kontur har två tal, x och y.</translation>
+    </message>
+    <message>
+        <source>a pressure</source>
+        <translation>ett tryck</translation>
+    </message>
+    <message>
+        <source>a pressure curve leads from 0 to 1 and never falls.</source>
+        <translation>en tryckkurva går från 0 till 1 och faller aldrig.</translation>
+    </message>
+    <message>
+        <source>a reflectance</source>
+        <translation>en reflektans</translation>
+    </message>
+    <message>
+        <source>a run is named by up to 64 small letters, digits and hyphens.</source>
+        <translation>en körning har ett namn på högst 64 små bokstäver, siffror och bindestreck.</translation>
+    </message>
+    <message>
+        <source>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</source>
+        <translation>ett sampel har 4 till 7 tal, time, x, y, pressure, tilt_x, tilt_y, rotation; här står %1.</translation>
+    </message>
+    <message>
+        <source>a scene</source>
+        <translation>en scen</translation>
+    </message>
+    <message>
+        <source>a scene of a glass tank</source>
+        <translation>en scen med en glastank</translation>
+    </message>
+    <message>
+        <source>a shape is an object with one entry, its form, which is one of %1.</source>
+        <translation>en form är ett objekt med en enda post, själva formen, som är en av %1.</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>en socket</translation>
+    </message>
+    <message>
+        <source>a stroke needs at least one sample.</source>
+        <translation>ett penseldrag behöver minst ett sampel.</translation>
+    </message>
+    <message>
+        <source>a stroke recording</source>
+        <translation>en inspelning av penseldrag</translation>
+    </message>
+    <message>
+        <source>a stroke that goes on stays on its surface.</source>
+        <translation>ett penseldrag som fortsätter stannar på sin yta.</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>en text</translation>
+    </message>
+    <message>
+        <source>a thickness</source>
+        <translation>en tjocklek</translation>
+    </message>
+    <message>
+        <source>a thickness of dry paint</source>
+        <translation>en tjocklek av torr färg</translation>
+    </message>
+    <message>
+        <source>a tilt needs millimetres; in cells give &quot;gravity&quot;.</source>
+        <translation>en lutning behöver millimeter; ange ”gravity” när måtten är i celler.</translation>
+    </message>
+    <message>
+        <source>a triangle has more than three corners.</source>
+        <translation>en triangel har fler än tre hörn.</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>en hastighet</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>ett heltal</translation>
+    </message>
+    <message>
+        <source>alpha_min is %1, it must not be larger than alpha_max, %2.</source>
+        <translation>alpha_min är %1, men får inte vara större än alpha_max, %2.</translation>
+    </message>
+    <message>
+        <source>ambient share</source>
+        <translation>andelen jämnt ljus</translation>
+    </message>
+    <message>
+        <source>amount</source>
+        <translation>mängd</translation>
+    </message>
+    <message>
+        <source>an amount of a medium</source>
+        <translation>en mängd av ett medium</translation>
+    </message>
+    <message>
+        <source>an amount of dry pigment</source>
+        <translation>en mängd torrt pigment</translation>
+    </message>
+    <message>
+        <source>an amount of paint</source>
+        <translation>en mängd färg</translation>
+    </message>
+    <message>
+        <source>an exception of an unknown kind</source>
+        <translation>ett undantag av okänt slag</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ett objekt</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>vid sidan</translation>
+    </message>
+    <message>
+        <source>at least one run is needed.</source>
+        <translation>minst en körning behövs.</translation>
+    </message>
+    <message>
+        <source>axis of the symmetry</source>
+        <translation>symmetrins axel</translation>
+    </message>
+    <message>
+        <source>azimuth in degrees</source>
+        <translation>azimuten i grader</translation>
+    </message>
+    <message>
+        <source>bare support</source>
+        <translation>det tomma underlaget</translation>
+    </message>
+    <message>
+        <source>base in mm</source>
+        <translation>bas i mm</translation>
+    </message>
+    <message>
+        <source>belongs to another scene.</source>
+        <translation>hör till en annan scen.</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>blått</translation>
+    </message>
+    <message>
+        <source>camera eye</source>
+        <translation>kamerans öga</translation>
+    </message>
+    <message>
+        <source>camera target</source>
+        <translation>kamerans mål</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1).</source>
+        <translation>kan inte läsas (%1).</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>kan inte läsas till slutet</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>duken</translation>
+    </message>
+    <message>
+        <source>cell (%1, %2) holds %3 that cannot be.</source>
+        <translation>cell (%1, %2) innehåller något omöjligt: %3.</translation>
+    </message>
+    <message>
+        <source>cell (%1, %2) holds a lower stratum that is no part of its paint.</source>
+        <translation>cell (%1, %2) innehåller ett undre skikt som inte är en del av dess färg.</translation>
+    </message>
+    <message>
+        <source>checkpoint of a tank</source>
+        <translation>kontrollpunkt för en tank</translation>
+    </message>
+    <message>
+        <source>checkpoint of tea</source>
+        <translation>kontrollpunkt för te</translation>
+    </message>
+    <message>
+        <source>column %1 (%2): %3</source>
+        <translation>kolumn %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>cup axis</source>
+        <translation>glasets axel</translation>
+    </message>
+    <message>
+        <source>cup floor</source>
+        <translation>glasets botten</translation>
+    </message>
+    <message>
+        <source>cup foot</source>
+        <translation>glasets fot</translation>
+    </message>
+    <message>
+        <source>cup level</source>
+        <translation>glasets vätskenivå</translation>
+    </message>
+    <message>
+        <source>cup radius at the foot</source>
+        <translation>glasets radie vid foten</translation>
+    </message>
+    <message>
+        <source>cup radius at the rim</source>
+        <translation>glasets radie vid kanten</translation>
+    </message>
+    <message>
+        <source>cup rim</source>
+        <translation>glasets kant</translation>
+    </message>
+    <message>
+        <source>cup slope</source>
+        <translation>glasets lutning</translation>
+    </message>
+    <message>
+        <source>cup wall</source>
+        <translation>glasets vägg</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>grader</translation>
+    </message>
+    <message>
+        <source>dent</source>
+        <translation>fördjupningen</translation>
+    </message>
+    <message>
+        <source>dent depth</source>
+        <translation>fördjupningens djup</translation>
+    </message>
+    <message>
+        <source>dent radius</source>
+        <translation>fördjupningens radie</translation>
+    </message>
+    <message>
+        <source>direction of the tilt</source>
+        <translation>lutningens riktning</translation>
+    </message>
+    <message>
+        <source>distance from eye to target</source>
+        <translation>avståndet från ögat till målet</translation>
+    </message>
+    <message>
+        <source>distance of the ruler&apos;s points</source>
+        <translation>avståndet mellan linjalens punkter</translation>
+    </message>
+    <message>
+        <source>elevation in degrees</source>
+        <translation>höjden i grader</translation>
+    </message>
+    <message>
+        <source>ellipse&apos;s centre</source>
+        <translation>ellipsens mitt</translation>
+    </message>
+    <message>
+        <source>event %1: %2</source>
+        <translation>händelse %1: %2</translation>
+    </message>
+    <message>
+        <source>exaggeration</source>
+        <translation>överhöjning</translation>
+    </message>
+    <message>
+        <source>expected &quot;%1&quot;.</source>
+        <translation>här ska det stå ”%1”.</translation>
+    </message>
+    <message>
+        <source>expected &quot;levels&quot; or &quot;fine&quot;.</source>
+        <translation>här ska det stå ”levels” eller ”fine”.</translation>
+    </message>
+    <message>
+        <source>expected &quot;none&quot;, &quot;several&quot; or the numbers of one.</source>
+        <translation>här ska det stå ”none”, ”several” eller talen för en enda.</translation>
+    </message>
+    <message>
+        <source>expected %1 media at most.</source>
+        <translation>här ska det stå högst %1 medier.</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers, one for each tile.</source>
+        <translation>här ska det stå %1 tal, ett för varje ruta.</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers.</source>
+        <translation>här ska det stå %1 tal.</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2.</source>
+        <translation>här ska det stå %1, inte %2.</translation>
+    </message>
+    <message>
+        <source>expected 0 or more.</source>
+        <translation>här ska det stå 0 eller mer.</translation>
+    </message>
+    <message>
+        <source>expected 0 to 10000.</source>
+        <translation>här ska det stå 0 till 10000.</translation>
+    </message>
+    <message>
+        <source>expected 0 to 10000000.</source>
+        <translation>här ska det stå 0 till 10000000.</translation>
+    </message>
+    <message>
+        <source>expected 0 to a million seconds.</source>
+        <translation>här ska det stå 0 till en miljon sekunder.</translation>
+    </message>
+    <message>
+        <source>expected 1 to %1 layers.</source>
+        <translation>här ska det stå 1 till %1 lager.</translation>
+    </message>
+    <message>
+        <source>expected 4 numbers, seconds x y pressure, found %1.</source>
+        <translation>här ska det stå 4 tal, sekunder x y tryck, men det står %1.</translation>
+    </message>
+    <message>
+        <source>expected a colour and its name, for example [&quot;#783c14&quot;, &quot;Umber&quot;].</source>
+        <translation>här ska det stå en kulör och dess namn, till exempel [&quot;#783c14&quot;, &quot;Umber&quot;].</translation>
+    </message>
+    <message>
+        <source>expected a name that begins with pastoso/.</source>
+        <translation>här ska det stå ett namn som börjar med pastoso/.</translation>
+    </message>
+    <message>
+        <source>expected a number for &quot;%1&quot;.</source>
+        <translation>för ”%1” ska det stå ett tal.</translation>
+    </message>
+    <message>
+        <source>expected a number from 1 to 1000.</source>
+        <translation>här ska det stå ett tal från 1 till 1000.</translation>
+    </message>
+    <message>
+        <source>expected a pigment and its parts, for example [&quot;PB29&quot;, 1].</source>
+        <translation>här ska det stå ett pigment och dess delar, till exempel [&quot;PB29&quot;, 1].</translation>
+    </message>
+    <message>
+        <source>expected a width and a height.</source>
+        <translation>här ska det stå en bredd och en höjd.</translation>
+    </message>
+    <message>
+        <source>expected an amount of paint up to 1e18.</source>
+        <translation>här ska det stå en mängd färg på högst 1e18.</translation>
+    </message>
+    <message>
+        <source>expected four numbers, [left, top, right, bottom].</source>
+        <translation>här ska det stå fyra tal, [vänster, överkant, höger, underkant].</translation>
+    </message>
+    <message>
+        <source>expected four whole numbers, [left, top, right, bottom].</source>
+        <translation>här ska det stå fyra heltal, [vänster, överkant, höger, underkant].</translation>
+    </message>
+    <message>
+        <source>expected one number for each medium.</source>
+        <translation>här ska det stå ett tal för varje medium.</translation>
+    </message>
+    <message>
+        <source>expected one of %1 beside the tick.</source>
+        <translation>här ska det stå en av %1 bredvid tick.</translation>
+    </message>
+    <message>
+        <source>expected sixteen hexadecimal digits.</source>
+        <translation>här ska det stå sexton hexadecimala siffror.</translation>
+    </message>
+    <message>
+        <source>expected the first tile and how many there are.</source>
+        <translation>här ska det stå den första rutan och hur många de är.</translation>
+    </message>
+    <message>
+        <source>expected the name of a file in the journal&apos;s folder.</source>
+        <translation>här ska det stå namnet på en fil i journalens mapp.</translation>
+    </message>
+    <message>
+        <source>expected three numbers, found %1.</source>
+        <translation>här ska det stå tre tal, men det står %1.</translation>
+    </message>
+    <message>
+        <source>expected three whole numbers, found %1.</source>
+        <translation>här ska det stå tre heltal, men det står %1.</translation>
+    </message>
+    <message>
+        <source>expected two numbers, [width, height].</source>
+        <translation>här ska det stå två tal, [bredd, höjd].</translation>
+    </message>
+    <message>
+        <source>expected two numbers, [x, y].</source>
+        <translation>här ska det stå två tal, [x, y].</translation>
+    </message>
+    <message>
+        <source>expected two numbers, for example [0.5, 0.7].</source>
+        <translation>här ska det stå två tal, till exempel [0.5, 0.7].</translation>
+    </message>
+    <message>
+        <source>expected two numbers, for example [20, 30].</source>
+        <translation>här ska det stå två tal, till exempel [20, 30].</translation>
+    </message>
+    <message>
+        <source>fill of the brush</source>
+        <translation>penselns fyllnad</translation>
+    </message>
+    <message>
+        <source>frame of tea</source>
+        <translation>bildruta av te</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>grönt</translation>
+    </message>
+    <message>
+        <source>group of the layer</source>
+        <translation>lagrets grupp</translation>
+    </message>
+    <message>
+        <source>grouping layers that do not lie next to each other would tear a group of layers apart.</source>
+        <translation>att gruppera lager som inte ligger intill varandra skulle slita isär en grupp av lager.</translation>
+    </message>
+    <message>
+        <source>half height of the ellipse</source>
+        <translation>ellipsens halva höjd</translation>
+    </message>
+    <message>
+        <source>half width of the ellipse</source>
+        <translation>ellipsens halva bredd</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, but at most 32768 a side and 100 million in all are read.</source>
+        <translation>har %1 x %2 pixlar, men högst 32768 per sida och sammanlagt 100 miljoner läses.</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>höjd</translation>
+    </message>
+    <message>
+        <source>height of the new canvas</source>
+        <translation>den nya dukens höjd</translation>
+    </message>
+    <message>
+        <source>height of the picture</source>
+        <translation>bildens höjd</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes, but at most %2 are possible here.</source>
+        <translation>innehåller %1 byte, men högst %2 är möjligt här.</translation>
+    </message>
+    <message>
+        <source>holds a parcel (number %1) whose shape is none.</source>
+        <translation>innehåller en droppe (nummer %1) med en form som inte finns.</translation>
+    </message>
+    <message>
+        <source>holds a parcel (number %1) whose values are not finite.</source>
+        <translation>innehåller en droppe (nummer %1) vars värden inte är ändliga.</translation>
+    </message>
+    <message>
+        <source>holds a particle whose numbers are not finite.</source>
+        <translation>innehåller en partikel vars tal inte är ändliga.</translation>
+    </message>
+    <message>
+        <source>holds a selection of another canvas than this one.</source>
+        <translation>innehåller en markering av en annan duk än den här.</translation>
+    </message>
+    <message>
+        <source>holds a value of a cell that is not finite.</source>
+        <translation>innehåller ett cellvärde som inte är ändligt.</translation>
+    </message>
+    <message>
+        <source>holds a value that is not a finite number.</source>
+        <translation>innehåller ett värde som inte är ett ändligt tal.</translation>
+    </message>
+    <message>
+        <source>holds an ICC profile that is none (it is damaged).</source>
+        <translation>innehåller en ogiltig ICC-profil (den är skadad).</translation>
+    </message>
+    <message>
+        <source>holds sizes or numbers that no tank has.</source>
+        <translation>innehåller storlekar eller tal som ingen tank har.</translation>
+    </message>
+    <message>
+        <source>holds sizes or numbers that no tea has.</source>
+        <translation>innehåller storlekar eller tal som inget te har.</translation>
+    </message>
+    <message>
+        <source>holds sizes or times that no frame has.</source>
+        <translation>innehåller storlekar eller tider som ingen bildruta har.</translation>
+    </message>
+    <message>
+        <source>holds the paint of another brush than the one %1, which has %2 bristles.</source>
+        <translation>innehåller färgen från en annan pensel än den %1, som har %2 borst.</translation>
+    </message>
+    <message>
+        <source>in hand</source>
+        <translation>i handen</translation>
+    </message>
+    <message>
+        <source>is cut off: the end of the JPEG picture is missing.</source>
+        <translation>är avklippt: JPEG-bildens slut saknas.</translation>
+    </message>
+    <message>
+        <source>is damaged (%1).</source>
+        <translation>är skadad (%1).</translation>
+    </message>
+    <message>
+        <source>is damaged (it cannot be decompressed, or its checksum is another).</source>
+        <translation>är skadad (den kan inte packas upp, eller så är dess kontrollsumma en annan).</translation>
+    </message>
+    <message>
+        <source>is damaged (it ends within its first %1 bytes).</source>
+        <translation>är skadad (den slutar inom sina första %1 byte).</translation>
+    </message>
+    <message>
+        <source>is damaged (it is longer than it says).</source>
+        <translation>är skadad (den är längre än den anger).</translation>
+    </message>
+    <message>
+        <source>is damaged (it is shorter than it says).</source>
+        <translation>är skadad (den är kortare än den anger).</translation>
+    </message>
+    <message>
+        <source>is damaged (its checksum is another).</source>
+        <translation>är skadad (dess kontrollsumma är en annan).</translation>
+    </message>
+    <message>
+        <source>is damaged (its header reaches beyond the end).</source>
+        <translation>är skadad (dess huvud når bortom slutet).</translation>
+    </message>
+    <message>
+        <source>is damaged (its length is not the one that is noted).</source>
+        <translation>är skadad (dess längd är inte den som är noterad).</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes that are read of a WebP picture at most.</source>
+        <translation>är större än de %1 byte som läses av en WebP-bild som mest.</translation>
+    </message>
+    <message>
+        <source>is missing.</source>
+        <translation>saknas.</translation>
+    </message>
+    <message>
+        <source>is no %1.</source>
+        <translation>är ingen %1.</translation>
+    </message>
+    <message>
+        <source>is no PNG picture</source>
+        <translation>är ingen PNG-bild</translation>
+    </message>
+    <message>
+        <source>is not an image that can be read (it is none of %1).</source>
+        <translation>är ingen bild som kan läsas (den är ingen av %1).</translation>
+    </message>
+    <message>
+        <source>is of version %1, this program reads %2.</source>
+        <translation>har version %1, men det här programmet läser %2.</translation>
+    </message>
+    <message>
+        <source>is stored in tiles of %1 x %2 pixels, but 8 a side are the least that are read.</source>
+        <translation>är lagrad i rutor på %1 x %2 pixlar, men 8 per sida är det minsta som läses.</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>den är skadad</translation>
+    </message>
+    <message>
+        <source>it was reset</source>
+        <translation>det har startats om</translation>
+    </message>
+    <message>
+        <source>its end is missing</source>
+        <translation>slutet saknas</translation>
+    </message>
+    <message>
+        <source>its memory does not suffice</source>
+        <translation>dess minne räcker inte</translation>
+    </message>
+    <message>
+        <source>its strokes %1</source>
+        <translation>dess penseldrag %1</translation>
+    </message>
+    <message>
+        <source>its support is a picture, and comes no finer than that.</source>
+        <translation>dess underlag är en bild, och blir inte finare än så.</translation>
+    </message>
+    <message>
+        <source>lamp radiance</source>
+        <translation>lampans radians</translation>
+    </message>
+    <message>
+        <source>lamp radius</source>
+        <translation>lampans radie</translation>
+    </message>
+    <message>
+        <source>lamp towards</source>
+        <translation>lampans riktning</translation>
+    </message>
+    <message>
+        <source>least height</source>
+        <translation>minsta höjden</translation>
+    </message>
+    <message>
+        <source>least thickness of wet paint</source>
+        <translation>minsta tjockleken av våt färg</translation>
+    </message>
+    <message>
+        <source>linear pictures</source>
+        <translation>linjära bilder</translation>
+    </message>
+    <message>
+        <source>memory ran out: what was asked for last is not done, or not whole.</source>
+        <translation>minnet tog slut: det som begärdes sist är inte gjort, eller inte helt.</translation>
+    </message>
+    <message>
+        <source>mesh: &quot;%1&quot; was not read.</source>
+        <translation>mesh: ”%1” har inte lästs.</translation>
+    </message>
+    <message>
+        <source>mesh: it is not closed: the edge from %1 to %2 is not shared by exactly two triangles that run along it in opposite directions.</source>
+        <translation>mesh: nätet är inte slutet: kanten från %1 till %2 delas inte av precis två trianglar som löper längs den i motsatta riktningar.</translation>
+    </message>
+    <message>
+        <source>mesh: there are no triangles.</source>
+        <translation>mesh: det finns inga trianglar.</translation>
+    </message>
+    <message>
+        <source>mesh: triangle %1 names vertex %2 of %3.</source>
+        <translation>mesh: triangel %1 anger hörnpunkt %2 av %3.</translation>
+    </message>
+    <message>
+        <source>mesh: vertex %1 lies at %2, which is no place.</source>
+        <translation>mesh: hörnpunkt %1 ligger vid %2, vilket inte är någon plats.</translation>
+    </message>
+    <message>
+        <source>milk share</source>
+        <translation>andelen mjölk</translation>
+    </message>
+    <message>
+        <source>milk share&apos;s cell</source>
+        <translation>cellen i andelen mjölk</translation>
+    </message>
+    <message>
+        <source>missing; %1</source>
+        <translation>saknas; %1</translation>
+    </message>
+    <message>
+        <source>mixing well</source>
+        <translation>blandningsytan</translation>
+    </message>
+    <message>
+        <source>most height</source>
+        <translation>största höjden</translation>
+    </message>
+    <message>
+        <source>most thickness of wet paint</source>
+        <translation>största tjockleken av våt färg</translation>
+    </message>
+    <message>
+        <source>moving the group there would tear a group of layers apart.</source>
+        <translation>att flytta gruppen dit skulle slita isär en grupp av lager.</translation>
+    </message>
+    <message>
+        <source>moving the layer there would tear a group of layers apart.</source>
+        <translation>att flytta lagret dit skulle slita isär en grupp av lager.</translation>
+    </message>
+    <message>
+        <source>name of a group</source>
+        <translation>gruppens namn</translation>
+    </message>
+    <message>
+        <source>name of a layer</source>
+        <translation>lagrets namn</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>ingen orsak angiven</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>ingen orsak angavs</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>number of parts of %1</source>
+        <translation>antalet delar %1</translation>
+    </message>
+    <message>
+        <source>number of the group</source>
+        <translation>gruppens nummer</translation>
+    </message>
+    <message>
+        <source>number of the layer</source>
+        <translation>lagrets nummer</translation>
+    </message>
+    <message>
+        <source>number of the outline&apos;s points</source>
+        <translation>antalet punkter i konturen</translation>
+    </message>
+    <message>
+        <source>number of the picture&apos;s pixels</source>
+        <translation>antalet pixlar i bilden</translation>
+    </message>
+    <message>
+        <source>number of the symmetry&apos;s copies</source>
+        <translation>antalet kopior i symmetrin</translation>
+    </message>
+    <message>
+        <source>opacity of the layer</source>
+        <translation>lagrets opacitet</translation>
+    </message>
+    <message>
+        <source>opacity of the tracing picture</source>
+        <translation>den kalkerade bildens opacitet</translation>
+    </message>
+    <message>
+        <source>other tea</source>
+        <translation>annat te</translation>
+    </message>
+    <message>
+        <source>pictures of %1 million pixels are too large; choose a &quot;picture_scale&quot; for at most 100 million.</source>
+        <translation>bilder på %1 miljoner pixlar är för stora; välj en ”picture_scale” som ger högst 100 miljoner.</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>pixlar</translation>
+    </message>
+    <message>
+        <source>place on the cloth in x</source>
+        <translation>läge på tyget i x-led</translation>
+    </message>
+    <message>
+        <source>place on the cloth in y</source>
+        <translation>läge på tyget i y-led</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>position of the group</source>
+        <translation>gruppens plats</translation>
+    </message>
+    <message>
+        <source>position of the layer</source>
+        <translation>lagrets plats</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>trycket</translation>
+    </message>
+    <message>
+        <source>pressure of the pen</source>
+        <translation>pennans tryck</translation>
+    </message>
+    <message>
+        <source>radius of the fan</source>
+        <translation>fläktens radie</translation>
+    </message>
+    <message>
+        <source>reach of the guide</source>
+        <translation>hjälplinjens räckvidd</translation>
+    </message>
+    <message>
+        <source>receding_angle_deg is %1, it must not be larger than advancing_angle_deg, %2.</source>
+        <translation>receding_angle_deg är %1, men får inte vara större än advancing_angle_deg, %2.</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rött</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>upplösning</translation>
+    </message>
+    <message>
+        <source>resolution in mm</source>
+        <translation>upplösning i mm</translation>
+    </message>
+    <message>
+        <source>rotation of the pen</source>
+        <translation>pennans rotation</translation>
+    </message>
+    <message>
+        <source>roughness on the dry support</source>
+        <translation>strävheten på det torra underlaget</translation>
+    </message>
+    <message>
+        <source>roughness on wet paint</source>
+        <translation>strävheten på våt färg</translation>
+    </message>
+    <message>
+        <source>ruler&apos;s first point</source>
+        <translation>linjalens första punkt</translation>
+    </message>
+    <message>
+        <source>ruler&apos;s second point</source>
+        <translation>linjalens andra punkt</translation>
+    </message>
+    <message>
+        <source>scale of the transform along %1, without its sign,</source>
+        <translation>transformeringens skala längs %1, utan tecken,</translation>
+    </message>
+    <message>
+        <source>scene format</source>
+        <translation>scenformat</translation>
+    </message>
+    <message>
+        <source>scene: %1 is %2, but must be from %3 to %4.</source>
+        <translation>scen: %1 är %2, men måste vara från %3 till %4.</translation>
+    </message>
+    <message>
+        <source>scene: %1 is 0, but must be a direction.</source>
+        <translation>scen: %1 är 0, men måste vara en riktning.</translation>
+    </message>
+    <message>
+        <source>scene: %1&apos;s corner is %2, but must be the number of a position.</source>
+        <translation>scen: ett hörn i %1 är %2, men måste vara numret på en position.</translation>
+    </message>
+    <message>
+        <source>scene: %1&apos;s number of normals is %2, but must be 0 or that of its positions.</source>
+        <translation>scen: antalet normaler i %1 är %2, men måste vara 0 eller lika med antalet positioner.</translation>
+    </message>
+    <message>
+        <source>scene: there is not enough memory to trace a mesh of %1 triangles.</source>
+        <translation>scen: minnet räcker inte för att spåra ett nät av %1 trianglar.</translation>
+    </message>
+    <message>
+        <source>seed of the brush</source>
+        <translation>penselns frö</translation>
+    </message>
+    <message>
+        <source>selects nothing.</source>
+        <translation>markerar ingenting.</translation>
+    </message>
+    <message>
+        <source>shadow softness in mm</source>
+        <translation>skuggornas mjukhet i mm</translation>
+    </message>
+    <message>
+        <source>share of paint</source>
+        <translation>andelen färg</translation>
+    </message>
+    <message>
+        <source>share of the second paint</source>
+        <translation>den andra färgens andel</translation>
+    </message>
+    <message>
+        <source>share that is wiped off the brush</source>
+        <translation>andelen som torkas av från penseln</translation>
+    </message>
+    <message>
+        <source>single-precision pictures</source>
+        <translation>bilder i enkel precision</translation>
+    </message>
+    <message>
+        <source>sky above</source>
+        <translation>himlen ovanför</translation>
+    </message>
+    <message>
+        <source>sky below</source>
+        <translation>himlen nedanför</translation>
+    </message>
+    <message>
+        <source>smoothing of the stabiliser</source>
+        <translation>stabiliseringens utjämning</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>något annat</translation>
+    </message>
+    <message>
+        <source>something went wrong within the program (%1).</source>
+        <translation>något gick fel i programmet (%1).</translation>
+    </message>
+    <message>
+        <source>speed of drying</source>
+        <translation>torkningens hastighet</translation>
+    </message>
+    <message>
+        <source>strata that give more light than they get</source>
+        <translation>skikt som ger mer ljus än de får</translation>
+    </message>
+    <message>
+        <source>strength of the fan</source>
+        <translation>fläktens styrka</translation>
+    </message>
+    <message>
+        <source>strength of the paint</source>
+        <translation>färgens styrka</translation>
+    </message>
+    <message>
+        <source>string of the stabiliser</source>
+        <translation>längden på stabiliseringens snöre</translation>
+    </message>
+    <message>
+        <source>stroke format</source>
+        <translation>penseldragsformat</translation>
+    </message>
+    <message>
+        <source>support relief</source>
+        <translation>underlagsrelief</translation>
+    </message>
+    <message>
+        <source>table fading</source>
+        <translation>bordets avtoning</translation>
+    </message>
+    <message>
+        <source>table height</source>
+        <translation>bordets höjd</translation>
+    </message>
+    <message>
+        <source>table radius</source>
+        <translation>bordets radie</translation>
+    </message>
+    <message>
+        <source>table reflectance</source>
+        <translation>bordets reflektans</translation>
+    </message>
+    <message>
+        <source>tank format</source>
+        <translation>tankformat</translation>
+    </message>
+    <message>
+        <source>tank wall</source>
+        <translation>tankens vägg</translation>
+    </message>
+    <message>
+        <source>tea format</source>
+        <translation>teformat</translation>
+    </message>
+    <message>
+        <source>tells of strokes that are later than the painting.</source>
+        <translation>innehåller penseldrag som är senare än målningen.</translation>
+    </message>
+    <message>
+        <source>the %1 &quot;%2&quot; is not a whole number from 0 to 255.</source>
+        <translation>%1 ”%2” är inget heltal från 0 till 255.</translation>
+    </message>
+    <message>
+        <source>the %1 %2 is not a number.</source>
+        <translation>%1 %2 är inget tal.</translation>
+    </message>
+    <message>
+        <source>the %1 %2 is not between -1e7 and 1e7.</source>
+        <translation>%1 %2 är inte mellan -1e7 och 1e7.</translation>
+    </message>
+    <message>
+        <source>the %1 has %2 bytes, but at most %3 are kept.</source>
+        <translation>%1 har %2 byte, men högst %3 behålls.</translation>
+    </message>
+    <message>
+        <source>the %1 has %2 x %3 cells, but %4 x %5 of another size are expected.</source>
+        <translation>%1 har %2 x %3 celler, men det ska vara %4 x %5 av en annan storlek.</translation>
+    </message>
+    <message>
+        <source>the %1 in %2 is %3, but must lie between %4 and %5.</source>
+        <translation>%1 i %2 är %3, men måste ligga mellan %4 och %5.</translation>
+    </message>
+    <message>
+        <source>the %1 is %2, but must lie between %3 and %4.</source>
+        <translation>%1 är %2, men måste ligga mellan %3 och %4.</translation>
+    </message>
+    <message>
+        <source>the %1 is missing.</source>
+        <translation>%1 saknas.</translation>
+    </message>
+    <message>
+        <source>the active layer is none.</source>
+        <translation>det aktiva lagret finns inte.</translation>
+    </message>
+    <message>
+        <source>the area is empty.</source>
+        <translation>området är tomt.</translation>
+    </message>
+    <message>
+        <source>the brush &quot;%1&quot;</source>
+        <translation>penseln ”%1”</translation>
+    </message>
+    <message>
+        <source>the brush %1 is told of only in part.</source>
+        <translation>penseln %1 är bara delvis beskriven.</translation>
+    </message>
+    <message>
+        <source>the disk is full; make room on it, or choose another place</source>
+        <translation>disken är full; frigör utrymme på den, eller välj en annan plats</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deep.</source>
+        <translation>elementen är nästlade för djupt.</translation>
+    </message>
+    <message>
+        <source>the entry &quot;%1&quot; is missing.</source>
+        <translation>posten ”%1” saknas.</translation>
+    </message>
+    <message>
+        <source>the field &quot;%1&quot; is missing.</source>
+        <translation>fältet ”%1” saknas.</translation>
+    </message>
+    <message>
+        <source>the file ends here, before &quot;endsolid&quot;.</source>
+        <translation>filen slutar här, före ”endsolid”.</translation>
+    </message>
+    <message>
+        <source>the file ends here, within the head of an STL file.</source>
+        <translation>filen slutar här, i huvudet på en STL-fil.</translation>
+    </message>
+    <message>
+        <source>the groups within &quot;%1&quot; become part of it.</source>
+        <translation>grupperna i ”%1” blir en del av den.</translation>
+    </message>
+    <message>
+        <source>the heading is &quot;%1&quot; instead of &quot;%2&quot;.</source>
+        <translation>rubriken är ”%1” i stället för ”%2”.</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is hidden.</source>
+        <translation>lagret ”%1” är dolt.</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is in a group already.</source>
+        <translation>lagret ”%1” är redan i en grupp.</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is locked.</source>
+        <translation>lagret ”%1” är låst.</translation>
+    </message>
+    <message>
+        <source>the layers are too large in all.</source>
+        <translation>lagren är för stora sammantaget.</translation>
+    </message>
+    <message>
+        <source>the layers of a group do not lie next to each other.</source>
+        <translation>lagren i en grupp ligger inte intill varandra.</translation>
+    </message>
+    <message>
+        <source>the medium</source>
+        <translation>mediet</translation>
+    </message>
+    <message>
+        <source>the palette has %1, yours %2.</source>
+        <translation>i paletten finns %1, bland dina egna %2.</translation>
+    </message>
+    <message>
+        <source>the palette has %1.</source>
+        <translation>i paletten finns %1.</translation>
+    </message>
+    <message>
+        <source>the pen touches the canvas with no brush in hand.</source>
+        <translation>pennan rör vid duken utan någon pensel i handen.</translation>
+    </message>
+    <message>
+        <source>the pen touches the mixing well with no brush in hand.</source>
+        <translation>pennan rör vid blandningsytan utan någon pensel i handen.</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>bilden</translation>
+    </message>
+    <message>
+        <source>the picture %1</source>
+        <translation>bilden %1</translation>
+    </message>
+    <message>
+        <source>the picture is no base64.</source>
+        <translation>bilden är inte base64.</translation>
+    </message>
+    <message>
+        <source>the pictures of this recording are too large; at most 500 million pixels in all are read.</source>
+        <translation>bilderna i den här inspelningen är för stora; sammanlagt högst 500 miljoner pixlar läses.</translation>
+    </message>
+    <message>
+        <source>the pigment has no name.</source>
+        <translation>pigmentet har inget namn.</translation>
+    </message>
+    <message>
+        <source>the power</source>
+        <translation>effekten</translation>
+    </message>
+    <message>
+        <source>the power %1 is negative.</source>
+        <translation>effekten %1 är negativ.</translation>
+    </message>
+    <message>
+        <source>the preset</source>
+        <translation>penselförinställningen</translation>
+    </message>
+    <message>
+        <source>the pressure %1 is not between 0 and 1.</source>
+        <translation>trycket %1 är inte mellan 0 och 1.</translation>
+    </message>
+    <message>
+        <source>the size of the picture is missing.</source>
+        <translation>bildens storlek saknas.</translation>
+    </message>
+    <message>
+        <source>the system refuses this (%1).</source>
+        <translation>systemet tillåter inte detta (%1).</translation>
+    </message>
+    <message>
+        <source>the tick %1 is earlier than %2 before it.</source>
+        <translation>tick %1 är tidigare än %2, som står före.</translation>
+    </message>
+    <message>
+        <source>the tiles hold %1 bytes, which has to be the size and at most %2.</source>
+        <translation>rutorna innehåller %1 byte; det måste vara lika med storleken, och högst %2.</translation>
+    </message>
+    <message>
+        <source>the time %1 s is earlier than %2 s before it.</source>
+        <translation>tiden %1 s är tidigare än %2 s, som står före.</translation>
+    </message>
+    <message>
+        <source>the time %1 s is not between 0 and 86400 s.</source>
+        <translation>tiden %1 s är inte mellan 0 och 86400 s.</translation>
+    </message>
+    <message>
+        <source>the wavelength</source>
+        <translation>våglängden</translation>
+    </message>
+    <message>
+        <source>the wavelength %1 nm is not greater than that of the line before.</source>
+        <translation>våglängden %1 nm är inte större än den på raden före.</translation>
+    </message>
+    <message>
+        <source>their paint adds up to more than any canvas holds.</source>
+        <translation>deras färg är tillsammans mer än vad någon duk rymmer.</translation>
+    </message>
+    <message>
+        <source>there are %1 columns instead of %2.</source>
+        <translation>det finns %1 kolumner i stället för %2.</translation>
+    </message>
+    <message>
+        <source>there are %1 paints, but only %2 have room.</source>
+        <translation>det finns %1 färger, men bara %2 får plats.</translation>
+    </message>
+    <message>
+        <source>there are %1 ticks for %2 samples.</source>
+        <translation>det finns %1 tick för %2 sampel.</translation>
+    </message>
+    <message>
+        <source>there are %1 tools instead of %2.</source>
+        <translation>det finns %1 verktyg i stället för %2.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 layers.</source>
+        <translation>det finns fler än %1 lager.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 triangles.</source>
+        <translation>det finns fler än %1 trianglar.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 vertices.</source>
+        <translation>det finns fler än %1 hörnpunkter.</translation>
+    </message>
+    <message>
+        <source>there cannot be a group %1.</source>
+        <translation>det kan inte finnas någon grupp %1.</translation>
+    </message>
+    <message>
+        <source>there cannot be a layer %1.</source>
+        <translation>det kan inte finnas något lager %1.</translation>
+    </message>
+    <message>
+        <source>there is another run &quot;%1&quot;.</source>
+        <translation>det finns en annan körning ”%1”.</translation>
+    </message>
+    <message>
+        <source>there is no brush in hand to take paint with.</source>
+        <translation>det finns ingen pensel i handen att ta färg med.</translation>
+    </message>
+    <message>
+        <source>there is no field %1.</source>
+        <translation>det finns inget fält %1.</translation>
+    </message>
+    <message>
+        <source>there is no form &quot;%1&quot;; the forms are slab, box, disc, cap, gaussian, cosine, noise and image.</source>
+        <translation>det finns ingen form ”%1”; formerna är slab, box, disc, cap, gaussian, cosine, noise och image.</translation>
+    </message>
+    <message>
+        <source>there is no group %1 of layers.</source>
+        <translation>det finns ingen lagergrupp %1.</translation>
+    </message>
+    <message>
+        <source>there is no group %1.</source>
+        <translation>det finns ingen grupp %1.</translation>
+    </message>
+    <message>
+        <source>there is no kind of frame %1.</source>
+        <translation>det finns inget block av typ %1.</translation>
+    </message>
+    <message>
+        <source>there is no layer %1.</source>
+        <translation>det finns inget lager %1.</translation>
+    </message>
+    <message>
+        <source>there is no layer below &quot;%1&quot; to merge it onto.</source>
+        <translation>det finns inget lager under ”%1” att sammanfoga det med.</translation>
+    </message>
+    <message>
+        <source>there is no medium in hand.</source>
+        <translation>det finns inget medium i handen.</translation>
+    </message>
+    <message>
+        <source>there is no place %1 for a layer; the highest is %2.</source>
+        <translation>det finns ingen plats %1 för ett lager; den högsta är %2.</translation>
+    </message>
+    <message>
+        <source>there is no such entry as &quot;%1&quot; here.</source>
+        <translation>här finns ingen post ”%1”.</translation>
+    </message>
+    <message>
+        <source>there is no such kind of tiles as &quot;%1&quot;.</source>
+        <translation>det finns inga rutor av typen ”%1”.</translation>
+    </message>
+    <message>
+        <source>there is no support &quot;%1&quot;; the supports are flat, %2, weave, image, ramp and bump.</source>
+        <translation>det finns inget underlag ”%1”; underlagen är flat, %2, weave, image, ramp och bump.</translation>
+    </message>
+    <message>
+        <source>there is no surface &quot;%1&quot;; a stroke is on the &quot;canvas&quot; or the &quot;well&quot;.</source>
+        <translation>det finns ingen yta ”%1”; ett penseldrag är på ”canvas” eller ”well”.</translation>
+    </message>
+    <message>
+        <source>there is no visible layer to flatten.</source>
+        <translation>det finns inget synligt lager att sammanfoga.</translation>
+    </message>
+    <message>
+        <source>there is no way &quot;%1&quot; to select; they are replace, add, subtract and intersect.</source>
+        <translation>det finns inget sätt ”%1” att markera; sätten är replace, add, subtract och intersect.</translation>
+    </message>
+    <message>
+        <source>this is no journal of a painting.</source>
+        <translation>detta är ingen journal för en målning.</translation>
+    </message>
+    <message>
+        <source>this is no list of layers; it would begin with &lt;image&gt;.</source>
+        <translation>detta är ingen lista med lager; den skulle börja med &lt;image&gt;.</translation>
+    </message>
+    <message>
+        <source>this is no painting of Pastoso; it would begin with &quot;format&quot;: &quot;pastoso-project&quot;.</source>
+        <translation>detta är ingen målning från Pastoso; den skulle börja med &quot;format&quot;: &quot;pastoso-project&quot;.</translation>
+    </message>
+    <message>
+        <source>this is not %1; it would begin with &quot;format&quot;: &quot;%2&quot;.</source>
+        <translation>detta är inte %1, som skulle börja med &quot;format&quot;: &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>this is not a GIMP palette; it would begin with &quot;GIMP Palette&quot;.</source>
+        <translation>detta är ingen GIMP-palett; en sådan börjar med ”GIMP Palette”.</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON: %1.</source>
+        <translation>detta är inte giltig JSON: %1.</translation>
+    </message>
+    <message>
+        <source>this is not valid XML (%1).</source>
+        <translation>detta är inte giltig XML (%1).</translation>
+    </message>
+    <message>
+        <source>this makes %1 cells; 1 to %2 are possible.</source>
+        <translation>det blir %1 celler; 1 till %2 är möjligt.</translation>
+    </message>
+    <message>
+        <source>this must be an object in braces.</source>
+        <translation>detta måste vara ett objekt inom klammerparenteser.</translation>
+    </message>
+    <message>
+        <source>this paint</source>
+        <translation>den här färgen</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (%1 %2; this program reads up to %3).</source>
+        <translation>detta har skrivits av en nyare Pastoso (%1 %2; det här programmet läser upp till %3).</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (journal format %1; this program reads up to %2).</source>
+        <translation>detta har skrivits av en nyare Pastoso (journalformat %1; det här programmet läser upp till %2).</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (project format %1; this program reads up to %2).</source>
+        <translation>detta har skrivits av en nyare Pastoso (projektformat %1; det här programmet läser upp till %2).</translation>
+    </message>
+    <message>
+        <source>tile %1 comes twice.</source>
+        <translation>ruta %1 kommer två gånger.</translation>
+    </message>
+    <message>
+        <source>tile %1 moves as no paint can.</source>
+        <translation>ruta %1 rör sig som ingen färg kan.</translation>
+    </message>
+    <message>
+        <source>tile %1 moves, but there is no &quot;window&quot; that it started from.</source>
+        <translation>ruta %1 rör sig, men det finns inget ”window” som den började från.</translation>
+    </message>
+    <message>
+        <source>tile %1 sleeps, and yet its motion is followed.</source>
+        <translation>ruta %1 sover, men ändå följs dess rörelse.</translation>
+    </message>
+    <message>
+        <source>tilt of the canvas</source>
+        <translation>dukens lutning</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiden</translation>
+    </message>
+    <message>
+        <source>time of the pen</source>
+        <translation>pennans tid</translation>
+    </message>
+    <message>
+        <source>touch_dry_s is %1, it must not be larger than typical_thickness_mm times %2.</source>
+        <translation>touch_dry_s är %1, men får inte vara större än typical_thickness_mm gånger %2.</translation>
+    </message>
+    <message>
+        <source>trace settings: a side of the picture is %1, but must be from 1 to 16384 pixels.</source>
+        <translation>spårningens inställningar: en sida av bilden är %1, men måste vara från 1 till 16384 pixlar.</translation>
+    </message>
+    <message>
+        <source>trace settings: brightest is %1, but must be above 0 and finite.</source>
+        <translation>spårningens inställningar: brightest är %1, men måste vara över 0 och ändligt.</translation>
+    </message>
+    <message>
+        <source>trace settings: most_events is %1, but must be at least 1.</source>
+        <translation>spårningens inställningar: most_events är %1, men måste vara minst 1.</translation>
+    </message>
+    <message>
+        <source>transform&apos;s centre</source>
+        <translation>transformeringens mitt</translation>
+    </message>
+    <message>
+        <source>transform&apos;s move</source>
+        <translation>transformeringens förflyttning</translation>
+    </message>
+    <message>
+        <source>transform&apos;s scale</source>
+        <translation>transformeringens skala</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true eller false</translation>
+    </message>
+    <message>
+        <source>turn of the ellipse</source>
+        <translation>ellipsens vridning</translation>
+    </message>
+    <message>
+        <source>turn of the transform</source>
+        <translation>transformeringens vridning</translation>
+    </message>
+    <message>
+        <source>variation of the share</source>
+        <translation>andelens variation</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>version %1</translation>
+    </message>
+    <message>
+        <source>versions %1 to %2</source>
+        <translation>version %1 till %2</translation>
+    </message>
+    <message>
+        <source>volume of the squeezed paint</source>
+        <translation>den utklämda färgens volym</translation>
+    </message>
+    <message>
+        <source>were painted with an earlier version of the program (arithmetic %1, now %2): replayed, they come out a little differently.</source>
+        <translation>målades med en tidigare version av programmet (aritmetik %1, nu %2): när de spelas upp blir de lite annorlunda.</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>bredd</translation>
+    </message>
+    <message>
+        <source>width of the brush</source>
+        <translation>penselns bredd</translation>
+    </message>
+    <message>
+        <source>width of the new canvas</source>
+        <translation>den nya dukens bredd</translation>
+    </message>
+    <message>
+        <source>width of the picture</source>
+        <translation>bildens bredd</translation>
+    </message>
+    <message>
+        <source>window radiance</source>
+        <translation>fönstrets radians</translation>
+    </message>
+    <message>
+        <source>window radius</source>
+        <translation>fönstrets radie</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>x of the %1</source>
+        <translation>x för %1</translation>
+    </message>
+    <message>
+        <source>x of the centre of the symmetry</source>
+        <translation>x för symmetrins mitt</translation>
+    </message>
+    <message>
+        <source>x of the fan</source>
+        <translation>x för fläkten</translation>
+    </message>
+    <message>
+        <source>x of the new canvas</source>
+        <translation>x för den nya duken</translation>
+    </message>
+    <message>
+        <source>x of the pen</source>
+        <translation>x för pennan</translation>
+    </message>
+    <message>
+        <source>x of the picture</source>
+        <translation>x för bilden</translation>
+    </message>
+    <message>
+        <source>x of the squeezed paint</source>
+        <translation>x för den utklämda färgen</translation>
+    </message>
+    <message>
+        <source>x tilt of the pen</source>
+        <translation>pennans lutning i x-led</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>y of the %1</source>
+        <translation>y för %1</translation>
+    </message>
+    <message>
+        <source>y of the centre of the symmetry</source>
+        <translation>y för symmetrins mitt</translation>
+    </message>
+    <message>
+        <source>y of the fan</source>
+        <translation>y för fläkten</translation>
+    </message>
+    <message>
+        <source>y of the new canvas</source>
+        <translation>y för den nya duken</translation>
+    </message>
+    <message>
+        <source>y of the pen</source>
+        <translation>y för pennan</translation>
+    </message>
+    <message>
+        <source>y of the picture</source>
+        <translation>y för bilden</translation>
+    </message>
+    <message>
+        <source>y of the squeezed paint</source>
+        <translation>y för den utklämda färgen</translation>
+    </message>
+    <message>
+        <source>y tilt of the pen</source>
+        <translation>pennans lutning i y-led</translation>
+    </message>
+    <message>
+        <source>yellowing</source>
+        <translation>gulning</translation>
+    </message>
+    <message>
+        <source>your share of the disk is used up; make room on it, or choose another place</source>
+        <translation>din del av disken är förbrukad; frigör utrymme på den, eller välj en annan plats</translation>
+    </message>
+    <message>
+        <source>difference of the colour</source>
+        <translation>färgens skillnad</translation>
+    </message>
+    <message>
+        <source>gradient&apos;s point</source>
+        <translation>toningens punkt</translation>
+    </message>
+    <message>
+        <source>length of the gradient&apos;s line</source>
+        <translation>toningslinjens längd</translation>
+    </message>
+    <message>
+        <source>no paint has been copied that could be pasted.</source>
+        <translation>ingen färg har kopierats som kan klistras in.</translation>
+    </message>
+    <message>
+        <source>number of points of the gradient&apos;s line</source>
+        <translation>antalet punkter på toningslinjen</translation>
+    </message>
+    <message>
+        <source>number of quarter turns</source>
+        <translation>antalet kvartsvarv</translation>
+    </message>
+    <message>
+        <source>outline&apos;s point</source>
+        <translation>konturens punkt</translation>
+    </message>
+    <message>
+        <source>there is no visible layer to copy.</source>
+        <translation>det finns inget synligt lager att kopiera.</translation>
+    </message>
+    <message>
+        <source>thickness of the film</source>
+        <translation>skiktets tjocklek</translation>
+    </message>
+    <message>
+        <source>way from where it was copied</source>
+        <translation>vägen från där det kopierades</translation>
+    </message>
+    <message>
+        <source>width of the margin</source>
+        <translation>kantens bredd</translation>
+    </message>
+    <message>
+        <source>x of the colour&apos;s place</source>
+        <translation>x för färgens plats</translation>
+    </message>
+    <message>
+        <source>y of the colour&apos;s place</source>
+        <translation>y för färgens plats</translation>
+    </message>
+    <message>
+        <source>%1: is no bundle of tools; it has no %2.</source>
+        <translation>%1: är ingen samling verktyg; den saknar %2.</translation>
+    </message>
+    <message>
+        <source>name is &quot;%1&quot;, which another tool of the bundle has already.</source>
+        <translation>name är ”%1”, som ett annat verktyg i samlingen redan heter.</translation>
+    </message>
+    <message>
+        <source>there are %1 tools, more than %2.</source>
+        <translation>det finns %1 verktyg, fler än %2.</translation>
+    </message>
+    <message>
+        <source>copied paint</source>
+        <translation>den kopierade färgen</translation>
+    </message>
+</context>
+<context>
     <name>ExamplePaintings</name>
     <message>
         <source>Still life</source>
@@ -557,6 +3240,14 @@
         <source>About Pastoso</source>
         <translation>Om Pastoso</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>Redigera</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorit</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -619,6 +3310,13 @@
     <message>
         <source>Abort</source>
         <translation>Avbryt</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionMargins</name>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
     </message>
 </context>
 <context>
@@ -982,6 +3680,178 @@
     <message>
         <source>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</source>
         <translation>Olja förtunnad med terpentin för den första anläggningen: strimmig, sjunker ner i väven och rinner när duken lutas.</translation>
+    </message>
+    <message>
+        <source>Width of the tip.</source>
+        <translation>Spetsens bredd.</translation>
+    </message>
+    <message>
+        <source>Thickness of the tip; a round one is as thick as it is wide.</source>
+        <translation>Spetsens tjocklek; en rund är lika tjock som bred.</translation>
+    </message>
+    <message>
+        <source>Length of the free hairs.</source>
+        <translation>De fria hårens längd.</translation>
+    </message>
+    <message>
+        <source>How much shorter the outermost hairs are; at most the length.</source>
+        <translation>Hur mycket kortare de yttersta håren är; högst längden.</translation>
+    </message>
+    <message>
+        <source>Elements that the tip is made of.</source>
+        <translation>Delar som spetsen består av.</translation>
+    </message>
+    <message>
+        <source>Fine streaks within one element.</source>
+        <translation>Fina strimmor inom en del.</translation>
+    </message>
+    <message>
+        <source>Makes one piece differ from the next.</source>
+        <translation>Gör att ett exemplar skiljer sig från nästa.</translation>
+    </message>
+    <message>
+        <source>How far a bent hair trails behind the hand.</source>
+        <translation>Hur långt ett böjt hår släpar efter handen.</translation>
+    </message>
+    <message>
+        <source>How far the hairs spread at full pressure.</source>
+        <translation>Hur långt håren sprider sig vid fullt tryck.</translation>
+    </message>
+    <message>
+        <source>How long the hairs trail after a turn.</source>
+        <translation>Hur länge håren släpar efter en sväng.</translation>
+    </message>
+    <message>
+        <source>Way of the ferrule at full pressure, in hair lengths.</source>
+        <translation>Skoningens väg vid fullt tryck, i hårlängder.</translation>
+    </message>
+    <message>
+        <source>How much a lean lowers one side.</source>
+        <translation>Hur mycket en lutning sänker ena sidan.</translation>
+    </message>
+    <message>
+        <source>How steeply hairs follow the weave down: little gives dry brush.</source>
+        <translation>Hur brant håren följer väven ned: lite ger torrpensel.</translation>
+    </message>
+    <message>
+        <source>0: every hair for itself, 1: one stiff edge.</source>
+        <translation>0: varje hår för sig, 1: en enda styv kant.</translation>
+    </message>
+    <message>
+        <source>How far wet paint carries it in a light hand, off the ground.</source>
+        <translation>Hur långt våt färg bär det vid lätt hand, över underlaget.</translation>
+    </message>
+    <message>
+        <source>Wet film that a full brush leaves.</source>
+        <translation>Vått skikt som en full pensel lämnar.</translation>
+    </message>
+    <message>
+        <source>Stroke that a full load lasts.</source>
+        <translation>Penseldrag som en full laddning räcker till.</translation>
+    </message>
+    <message>
+        <source>Ridges between bristles, in films.</source>
+        <translation>Åsar mellan borsten, i skikt.</translation>
+    </message>
+    <message>
+        <source>Streaks of single hairs, in films.</source>
+        <translation>Strimmor av enstaka hår, i skikt.</translation>
+    </message>
+    <message>
+        <source>Difference from bristle to bristle.</source>
+        <translation>Skillnad från borst till borst.</translation>
+    </message>
+    <message>
+        <source>How far each dip gathers the hairs anew; 0: never.</source>
+        <translation>Hur mycket varje doppning samlar håren på nytt; 0: aldrig.</translation>
+    </message>
+    <message>
+        <source>Extra film along the edges, in films.</source>
+        <translation>Extra skikt längs kanterna, i skikt.</translation>
+    </message>
+    <message>
+        <source>Extra film where the stroke starts.</source>
+        <translation>Extra skikt där penseldraget börjar.</translation>
+    </message>
+    <message>
+        <source>Share of the load that stays on lifting.</source>
+        <translation>Andel av laddningen som stannar kvar när den lyfts.</translation>
+    </message>
+    <message>
+        <source>Depth that hanging paint bridges, in films.</source>
+        <translation>Djup som hängande färg överbryggar, i skikt.</translation>
+    </message>
+    <message>
+        <source>Share of the paint in the way that is taken up.</source>
+        <translation>Andel av färgen i vägen som tas upp.</translation>
+    </message>
+    <message>
+        <source>How fast it mixes with the paint below.</source>
+        <translation>Hur snabbt det blandas med färgen under.</translation>
+    </message>
+    <message>
+        <source>Exchange between neighbouring hairs.</source>
+        <translation>Utbyte mellan intilliggande hår.</translation>
+    </message>
+    <message>
+        <source>How far a fast stroke drags paint along and ploughs it aside.</source>
+        <translation>Hur mycket ett snabbt drag släpar med färg och plöjer den åt sidan.</translation>
+    </message>
+    <message>
+        <source>Fill above which paint is pushed out sideways.</source>
+        <translation>Fyllnad över vilken färg trycks ut åt sidorna.</translation>
+    </message>
+    <message>
+        <source>Step, in radii of an element.</source>
+        <translation>Steg, i en dels radier.</translation>
+    </message>
+    <message>
+        <source>Least step.</source>
+        <translation>Minsta steg.</translation>
+    </message>
+    <message>
+        <source>Time over which the hand is steadied.</source>
+        <translation>Tid över vilken handen stabiliseras.</translation>
+    </message>
+    <message>
+        <source>Length of the string that pulls the tip.</source>
+        <translation>Längden på snöret som drar spetsen.</translation>
+    </message>
+    <message>
+        <source>Mean volume of a drop.</source>
+        <translation>En droppes medelvolym.</translation>
+    </message>
+    <message>
+        <source>How much drops differ.</source>
+        <translation>Hur mycket dropparna skiljer sig.</translation>
+    </message>
+    <message>
+        <source>Paint let go while the pen is down.</source>
+        <translation>Färg som släpps medan pennan är nere.</translation>
+    </message>
+    <message>
+        <source>A drop let go when the pen comes down.</source>
+        <translation>En droppe som släpps när pennan sätts ned.</translation>
+    </message>
+    <message>
+        <source>What the bottle holds.</source>
+        <translation>Vad flaskan rymmer.</translation>
+    </message>
+    <message>
+        <source>Height over radius of a drop that has landed.</source>
+        <translation>Höjd genom radie hos en droppe som landat.</translation>
+    </message>
+    <message>
+        <source>0: evenly over the width, 1: thickest in the middle.</source>
+        <translation>0: jämnt över bredden, 1: tjockast i mitten.</translation>
+    </message>
+    <message>
+        <source>Time that drops fly on with the speed of the tip.</source>
+        <translation>Tid som dropparna flyger vidare med spetsens fart.</translation>
+    </message>
+    <message>
+        <source>Pressure in the middle of the jet.</source>
+        <translation>Trycket mitt i strålen.</translation>
     </message>
 </context>
 <context>
@@ -2334,6 +5204,218 @@
         <source>The layers as pictures for other programs, in OpenRaster or PSD</source>
         <translation>Lagren som bilder för andra program, i OpenRaster eller PSD</translation>
     </message>
+    <message>
+        <source>&amp;Image</source>
+        <translation>&amp;Bild</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp u&amp;t</translation>
+    </message>
+    <message>
+        <source>Copy the layer&apos;s paint, or what is selected of it, and wipe it off</source>
+        <translation>Kopiera lagrets färg, eller det som är markerat av den, och torka bort den</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiera</translation>
+    </message>
+    <message>
+        <source>Keep the layer&apos;s paint, or what is selected of it, to be pasted: wet as it is, and as a picture for other programs</source>
+        <translation>Behåll lagrets färg, eller det som är markerat av den, för att klistra in: våt som den är, och som bild för andra program</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y merged</source>
+        <translation>Kopiera samma&amp;nslaget</translation>
+    </message>
+    <message>
+        <source>The same of all layers that are visible, as if they were one</source>
+        <translation>Detsamma av alla synliga lager, som om de vore ett</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>K&amp;listra in</translation>
+    </message>
+    <message>
+        <source>What was copied as a new layer: paint where it was, or a picture of another program as dry paint</source>
+        <translation>Det kopierade som ett nytt lager: färg där den var, eller ett annat programs bild som torr färg</translation>
+    </message>
+    <message>
+        <source>Paste &amp;at cursor</source>
+        <translation>Klistra in vid m&amp;arkören</translation>
+    </message>
+    <message>
+        <source>The same, with the middle of the copied paint where the pointer is</source>
+        <translation>Detsamma, med den kopierade färgens mitt där pekaren är</translation>
+    </message>
+    <message>
+        <source>Mirror image &amp;horizontally</source>
+        <translation>Spegla bilden &amp;vågrätt</translation>
+    </message>
+    <message>
+        <source>Left and right of the whole painting change places, canvas and all</source>
+        <translation>Vänster och höger i hela målningen byter plats, med duk och allt</translation>
+    </message>
+    <message>
+        <source>Mirror image &amp;vertically</source>
+        <translation>Spegla bilden &amp;lodrätt</translation>
+    </message>
+    <message>
+        <source>Top and bottom of the whole painting change places, canvas and all</source>
+        <translation>Upptill och nertill i hela målningen byter plats, med duk och allt</translation>
+    </message>
+    <message>
+        <source>Rotate image 90° to the &amp;right</source>
+        <translation>Rotera bilden 90° åt &amp;höger</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its right side</source>
+        <translation>Hela målningen ställs på sin högra sida</translation>
+    </message>
+    <message>
+        <source>Rotate image 90° to the &amp;left</source>
+        <translation>Rotera bilden 90° åt &amp;vänster</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its left side</source>
+        <translation>Hela målningen ställs på sin vänstra sida</translation>
+    </message>
+    <message>
+        <source>Rotate image &amp;180°</source>
+        <translation>Rotera bilden &amp;180°</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its head</source>
+        <translation>Hela målningen ställs upp och ner</translation>
+    </message>
+    <message>
+        <source>F&amp;ill with the paint in hand</source>
+        <translation>&amp;Fyll med färgen i handen</translation>
+    </message>
+    <message>
+        <source>Pour an even film of wet paint over what is selected, or over the whole canvas</source>
+        <translation>Häll ett jämnt skikt våt färg över det som är markerat, eller över hela duken</translation>
+    </message>
+    <message>
+        <source>Fill with the s&amp;econd paint</source>
+        <translation>Fyll med den &amp;andra färgen</translation>
+    </message>
+    <message>
+        <source>Pour an even film of the second paint over what is selected</source>
+        <translation>Häll ett jämnt skikt av den andra färgen över det som är markerat</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient of the two paints</source>
+        <translation>&amp;Övergång mellan de två färgerna</translation>
+    </message>
+    <message>
+        <source>Drag a line: the film goes from the paint in hand to the second one along it</source>
+        <translation>Dra en linje: skiktet går längs den från färgen i handen till den andra</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness of fills...</source>
+        <translation>Fyllningarnas &amp;tjocklek...</translation>
+    </message>
+    <message>
+        <source>How thick a film of paint fills and gradients pour</source>
+        <translation>Hur tjockt skikt av färg som fyllningar och övergångar häller</translation>
+    </message>
+    <message>
+        <source>Elli&amp;pse</source>
+        <translation>Elli&amp;ps</translation>
+    </message>
+    <message>
+        <source>Drag an ellipse that tools keep to; Shift adds, Alt takes away, Ctrl makes a circle</source>
+        <translation>Dra en ellips som verktygen håller sig inom; Shift lägger till, Alt tar bort, Ctrl ger en cirkel</translation>
+    </message>
+    <message>
+        <source>Pol&amp;ygon</source>
+        <translation>Pol&amp;ygon</translation>
+    </message>
+    <message>
+        <source>Click the corners of what tools keep to; Enter or a double click closes it</source>
+        <translation>Klicka hörnen av det som verktygen ska hålla sig inom; Enter eller ett dubbelklick sluter det</translation>
+    </message>
+    <message>
+        <source>&amp;Contiguous colour</source>
+        <translation>&amp;Sammanhängande färg</translation>
+    </message>
+    <message>
+        <source>Click a colour: what hangs together there is selected; drag for more or less of it</source>
+        <translation>Klicka på en färg: det som hänger ihop där markeras; dra för mer eller mindre av den</translation>
+    </message>
+    <message>
+        <source>&amp;Similar colour</source>
+        <translation>&amp;Liknande färg</translation>
+    </message>
+    <message>
+        <source>Click a colour: it is selected wherever it is; drag for more or less of it</source>
+        <translation>Klicka på en färg: den markeras överallt; dra för mer eller mindre av den</translation>
+    </message>
+    <message>
+        <source>&amp;Grow...</source>
+        <translation>&amp;Utvidga...</translation>
+    </message>
+    <message>
+        <source>Make the selection wider on all sides</source>
+        <translation>Gör markeringen bredare åt alla håll</translation>
+    </message>
+    <message>
+        <source>Shri&amp;nk...</source>
+        <translation>Kry&amp;mp...</translation>
+    </message>
+    <message>
+        <source>Make the selection narrower on all sides</source>
+        <translation>Gör markeringen smalare från alla håll</translation>
+    </message>
+    <message>
+        <source>&amp;Border...</source>
+        <translation>&amp;Kant...</translation>
+    </message>
+    <message>
+        <source>Select a band along the outline of the selection</source>
+        <translation>Markera ett band längs markeringens kontur</translation>
+    </message>
+    <message>
+        <source>&amp;From the layer</source>
+        <translation>&amp;Från lagret</translation>
+    </message>
+    <message>
+        <source>Select where the layer has paint, wet or dry</source>
+        <translation>Markera där lagret har färg, våt eller torr</translation>
+    </message>
+    <message>
+        <source>Brush e&amp;ditor...</source>
+        <translation>Penselre&amp;digerare...</translation>
+    </message>
+    <message>
+        <source>Every number of the tool in hand, and the stroke that it paints</source>
+        <translation>Varje tal hos verktyget i handen, och draget som det målar</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>&amp;Favorit</translation>
+    </message>
+    <message>
+        <source>Keep the tool in hand among your favourites, which the list can show alone</source>
+        <translation>Behåll verktyget i handen bland dina favoriter, som listan kan visa för sig</translation>
+    </message>
+    <message>
+        <source>&amp;Import tools...</source>
+        <translation>&amp;Importera verktyg...</translation>
+    </message>
+    <message>
+        <source>Add the tools of a bundle to your own</source>
+        <translation>Lägg till verktygen i en samling till dina egna</translation>
+    </message>
+    <message>
+        <source>E&amp;xport my tools...</source>
+        <translation>E&amp;xportera mina verktyg...</translation>
+    </message>
+    <message>
+        <source>Write all tools of your own into a bundle, a file to keep or to give away</source>
+        <translation>Skriv alla dina egna verktyg till en samling, en fil att behålla eller ge bort</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2360,26 +5442,6 @@
     <message>
         <source>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</source>
         <translation>En solid kropp på %1 × %2 mm; framsidan har %3 × %4 punkter, %5 mm emellan.</translation>
-    </message>
-    <message>
-        <source>%1 is a file; numbered pictures go into a folder.</source>
-        <translation>%1 är en fil; numrerade bilder läggs i en mapp.</translation>
-    </message>
-    <message>
-        <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
-        <translation>Mappen %1 innehåller bildrutor från en annan timelapse; ange en annan.</translation>
-    </message>
-    <message>
-        <source>Nothing has been painted yet that a film could show.</source>
-        <translation>Ännu har inget målats som en film kan visa.</translation>
-    </message>
-    <message>
-        <source>The file needs a name.</source>
-        <translation>Filen behöver ett namn.</translation>
-    </message>
-    <message>
-        <source>There is no folder %1.</source>
-        <translation>Det finns ingen mapp %1.</translation>
     </message>
     <message numerus="yes">
         <source>%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.</source>
@@ -2859,6 +5921,13 @@
     <message>
         <source>Forget my own</source>
         <translation>Glöm mina egna</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::LengthDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +6463,14 @@
     <message>
         <source>Place of the traced picture</source>
         <translation>Den kalkerade bildens läge</translation>
+    </message>
+    <message>
+        <source>Paint pasted</source>
+        <translation>Färg inklistrad</translation>
+    </message>
+    <message>
+        <source>Filled with paint</source>
+        <translation>Fylld med färg</translation>
     </message>
 </context>
 <context>
@@ -4565,6 +7642,44 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::BrushBundles</name>
+    <message>
+        <source>Import tools</source>
+        <translation>Importera verktyg</translation>
+    </message>
+    <message>
+        <source>Bundles of tools (*.zip)</source>
+        <translation>Samlingar av verktyg (*.zip)</translation>
+    </message>
+    <message>
+        <source>You have all tools of that bundle already.</source>
+        <translation>Du har redan alla verktyg i den samlingen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tool(s) added to your own.</source>
+        <translation>
+            <numerusform>%n verktyg lades till dina egna.</numerusform>
+            <numerusform>%n verktyg lades till dina egna.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have no tools of your own yet; save the one in hand first.</source>
+        <translation>Du har inga egna verktyg än; spara först det i handen.</translation>
+    </message>
+    <message>
+        <source>Export my tools</source>
+        <translation>Exportera mina verktyg</translation>
+    </message>
+    <message>
+        <source>my-tools.zip</source>
+        <translation>mina-verktyg.zip</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Sparade %1.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::BrushJar</name>
     <message>
         <source>%1 was read again; the next stroke is painted with it.</source>
@@ -4636,6 +7751,25 @@
     <message>
         <source>Meanwhile the canvas has become another one; that keeps its size.</source>
         <translation>Duken har under tiden blivit en annan; den behåller sin storlek.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Clipboard</name>
+    <message>
+        <source>There is no paint to copy here.</source>
+        <translation>Här finns ingen färg att kopiera.</translation>
+    </message>
+    <message>
+        <source>Copied; paste it as a layer, or as a picture in another program.</source>
+        <translation>Kopierat; klistra in det som ett lager, eller som bild i ett annat program.</translation>
+    </message>
+    <message>
+        <source>Pasted</source>
+        <translation>Inklistrat</translation>
+    </message>
+    <message>
+        <source>There is nothing to paste: no paint and no picture has been copied.</source>
+        <translation>Det finns inget att klistra in: ingen färg och ingen bild har kopierats.</translation>
     </message>
 </context>
 <context>
@@ -4774,6 +7908,49 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::FillCommands</name>
+    <message>
+        <source>Nothing was poured. Esc again goes back to painting.</source>
+        <translation>Inget hälldes. Tryck Esc igen för att fortsätta måla.</translation>
+    </message>
+    <message>
+        <source>Drag a line from the paint in hand to the second paint; Shift keeps it level, upright or halfway. Esc, or taking a tool, goes back to painting.</source>
+        <translation>Dra en linje från färgen i handen till den andra färgen; Shift håller den vågrät, lodrät eller mitt emellan. Tryck Esc, eller ta ett verktyg, för att måla igen.</translation>
+    </message>
+    <message>
+        <source>The brush paints again.</source>
+        <translation>Penseln målar igen.</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>En inspelning spelas upp; färgen blir din igen när den är slut.</translation>
+    </message>
+    <message>
+        <source>%1 mm of paint are poured over the whole canvas.</source>
+        <translation>%1 mm färg hälls över hela duken.</translation>
+    </message>
+    <message>
+        <source>%1 mm of paint are poured over what is selected.</source>
+        <translation>%1 mm färg hälls över det som är markerat.</translation>
+    </message>
+    <message>
+        <source>Thickness of fills</source>
+        <translation>Fyllningarnas tjocklek</translation>
+    </message>
+    <message>
+        <source>Fills and gradients pour an even film of wet paint, as thick as this: 0.05 mm shows what lies below, 0.2 mm covers, 1 mm stands as a paste.</source>
+        <translation>Fyllningar och övergångar häller ett jämnt skikt våt färg, så här tjockt: 0,05 mm låter det som ligger under synas, 0,2 mm täcker, 1 mm står som en pasta.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Tjocklek</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behåll</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::GlassMode</name>
     <message>
         <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
@@ -4864,6 +8041,13 @@
     <message>
         <source>%1: wait for it, or cancel it.</source>
         <translation>%1: vänta på det, eller avbryt det.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Margin</name>
+    <message>
+        <source>Nothing would be left of the selection.</source>
+        <translation>Inget av markeringen skulle bli kvar.</translation>
     </message>
 </context>
 <context>
@@ -5276,6 +8460,77 @@
     <message>
         <source>rectangle</source>
         <translation>rektangel</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>ellips</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>polygon</translation>
+    </message>
+    <message>
+        <source>contiguous colour</source>
+        <translation>sammanhängande färg</translation>
+    </message>
+    <message>
+        <source>similar colour</source>
+        <translation>liknande färg</translation>
+    </message>
+    <message>
+        <source>Click the colour that tools shall keep to; drag to the right for more, to the left for less of it. Shift adds, Alt takes away, both keep what is in both.</source>
+        <translation>Klicka på färgen som verktygen ska hålla sig till; dra åt höger för mer, åt vänster för mindre av den. Shift lägger till, Alt tar bort, båda behåller det som finns i båda.</translation>
+    </message>
+    <message>
+        <source>Click the corners of what tools shall keep to. Enter or a double click closes it, Backspace takes the last corner back, Esc gives it up.</source>
+        <translation>Klicka hörnen av det som verktygen ska hålla sig inom. Enter eller ett dubbelklick sluter det, Backsteg tar tillbaka det sista hörnet, Esc avbryter.</translation>
+    </message>
+    <message>
+        <source>Colours that differ by up to %1. Drag to the right for more, to the left for less.</source>
+        <translation>Färger som skiljer sig med upp till %1. Dra åt höger för mer, åt vänster för mindre.</translation>
+    </message>
+    <message>
+        <source>Tools keep to colours that differ by up to %1 from the one there. Esc, or taking a tool, goes back to painting.</source>
+        <translation>Verktygen håller sig till färger som skiljer sig med upp till %1 från den där. Tryck Esc, eller ta ett verktyg, för att måla igen.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::SelectionMargins</name>
+    <message>
+        <source>Grow the selection</source>
+        <translation>Utvidga markeringen</translation>
+    </message>
+    <message>
+        <source>The selection becomes so much wider on all sides.</source>
+        <translation>Markeringen blir så mycket bredare åt alla håll.</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Utvidga</translation>
+    </message>
+    <message>
+        <source>Shrink the selection</source>
+        <translation>Krymp markeringen</translation>
+    </message>
+    <message>
+        <source>The selection becomes so much narrower on all sides, but not along the edges of the canvas.</source>
+        <translation>Markeringen blir så mycket smalare från alla håll, men inte längs dukens kanter.</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Krymp</translation>
+    </message>
+    <message>
+        <source>Border of the selection</source>
+        <translation>Markeringens kant</translation>
+    </message>
+    <message>
+        <source>Selects a band so wide along the outline, half of it on either side.</source>
+        <translation>Markerar ett så brett band längs konturen, hälften på var sida.</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Markera</translation>
     </message>
 </context>
 <context>
@@ -5729,6 +8984,392 @@
     <message>
         <source>How far it has to run before it is loosened, in times its own thickness</source>
         <translation>Hur långt den måste rinna innan den lossnar, i gånger sin egen tjocklek</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>rund</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>flat</translation>
+    </message>
+    <message>
+        <source>filbert</source>
+        <translation>filbert</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>solfjäder</translation>
+    </message>
+    <message>
+        <source>knife</source>
+        <translation>kniv</translation>
+    </message>
+    <message>
+        <source>comb</source>
+        <translation>kam</translation>
+    </message>
+    <message>
+        <source>soft pad</source>
+        <translation>mjuk dyna</translation>
+    </message>
+    <message>
+        <source>used as it is</source>
+        <translation>används som det är</translation>
+    </message>
+    <message>
+        <source>dipped in paint</source>
+        <translation>doppas i färg</translation>
+    </message>
+    <message>
+        <source>stays on the tool</source>
+        <translation>stannar på verktyget</translation>
+    </message>
+    <message>
+        <source>is thrown away</source>
+        <translation>kastas bort</translation>
+    </message>
+    <message>
+        <source>another in each stroke</source>
+        <translation>ny i varje drag</translation>
+    </message>
+    <message>
+        <source>always the same</source>
+        <translation>alltid densamma</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>How the elements of the tip are arranged.</source>
+        <translation>Hur spetsens delar är ordnade.</translation>
+    </message>
+    <message>
+        <source>Before use</source>
+        <translation>Före användning</translation>
+    </message>
+    <message>
+        <source>A brush is dipped; a rag or a comb is used as it is.</source>
+        <translation>En pensel doppas; en trasa eller kam används som den är.</translation>
+    </message>
+    <message>
+        <source>What it takes</source>
+        <translation>Det den tar</translation>
+    </message>
+    <message>
+        <source>A rag throws away what it takes up; it never comes back.</source>
+        <translation>En trasa kastar bort det den tar upp; det kommer aldrig tillbaka.</translation>
+    </message>
+    <message>
+        <source>Chance</source>
+        <translation>Slump</translation>
+    </message>
+    <message>
+        <source>Small random differences, such as where drops fall.</source>
+        <translation>Små slumpmässiga skillnader, till exempel var droppar faller.</translation>
+    </message>
+    <message>
+        <source>%1 From %2 to %3%4.</source>
+        <translation>%1 Från %2 till %3%4.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Tjocklek</translation>
+    </message>
+    <message>
+        <source>Hair length</source>
+        <translation>Hårlängd</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Spets</translation>
+    </message>
+    <message>
+        <source>Bristles</source>
+        <translation>Borst</translation>
+    </message>
+    <message>
+        <source>Hairs in each</source>
+        <translation>Hår i varje</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Exemplar</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Böjning</translation>
+    </message>
+    <message>
+        <source>Splay</source>
+        <translation>Spridning</translation>
+    </message>
+    <message>
+        <source>Trail</source>
+        <translation>Släp</translation>
+    </message>
+    <message>
+        <source>Press depth</source>
+        <translation>Tryckdjup</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Lutning</translation>
+    </message>
+    <message>
+        <source>Into the weave</source>
+        <translation>Ned i väven</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Styvhet</translation>
+    </message>
+    <message>
+        <source>Ride</source>
+        <translation>Glidning</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Skikt</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>Räcker</translation>
+    </message>
+    <message>
+        <source>Grooves</source>
+        <translation>Åsar</translation>
+    </message>
+    <message>
+        <source>Hair streaks</source>
+        <translation>Hårstrimmor</translation>
+    </message>
+    <message>
+        <source>Uneven load</source>
+        <translation>Ojämn laddning</translation>
+    </message>
+    <message>
+        <source>Gathering</source>
+        <translation>Samling</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanter</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Början</translation>
+    </message>
+    <message>
+        <source>Stays behind</source>
+        <translation>Stannar kvar</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Räckvidd</translation>
+    </message>
+    <message>
+        <source>Pickup</source>
+        <translation>Upptagning</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>Blandning</translation>
+    </message>
+    <message>
+        <source>Wicking</source>
+        <translation>Uppsugning</translation>
+    </message>
+    <message>
+        <source> /mm</source>
+        <translation> /mm</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>Släpning</translation>
+    </message>
+    <message>
+        <source>Overflow</source>
+        <translation>Överflöd</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>Least step</source>
+        <translation>Minsta steg</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Utjämning</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation>Snöre</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Droppe</translation>
+    </message>
+    <message>
+        <source> mm³</source>
+        <translation> mm³</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Flöde</translation>
+    </message>
+    <message>
+        <source> mm³/s</source>
+        <translation> mm³/s</translation>
+    </message>
+    <message>
+        <source>First drop</source>
+        <translation>Första droppen</translation>
+    </message>
+    <message>
+        <source>Bottle</source>
+        <translation>Flaska</translation>
+    </message>
+    <message>
+        <source>Steepness</source>
+        <translation>Branthet</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Centrering</translation>
+    </message>
+    <message>
+        <source>Throw</source>
+        <translation>Kast</translation>
+    </message>
+    <message>
+        <source>Air pressure</source>
+        <translation>Lufttryck</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Spets</translation>
+    </message>
+    <message>
+        <source>Hairs</source>
+        <translation>Hår</translation>
+    </message>
+    <message>
+        <source>Paint it leaves</source>
+        <translation>Färg det lämnar</translation>
+    </message>
+    <message>
+        <source>Paint it takes</source>
+        <translation>Färg det tar</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Penseldrag</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Droppar</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::BrushEditor</name>
+    <message>
+        <source>Brush editor</source>
+        <translation>Penselredigerare</translation>
+    </message>
+    <message>
+        <source>A stroke of the tool in hand, pressed hardest in its middle</source>
+        <translation>Ett drag med verktyget i handen, hårdast tryckt på mitten</translation>
+    </message>
+    <message>
+        <source>The same stroke of the tool as it is saved</source>
+        <translation>Samma drag med verktyget som det är sparat</translation>
+    </message>
+    <message>
+        <source>As saved</source>
+        <translation>Som sparat</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Jämför</translation>
+    </message>
+    <message>
+        <source>Shows below the stroke of the tool as it is saved</source>
+        <translation>Visar nedanför draget med verktyget som det är sparat</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Återgå</translation>
+    </message>
+    <message>
+        <source>Takes back all changes of the tool in hand</source>
+        <translation>Tar tillbaka alla ändringar av verktyget i handen</translation>
+    </message>
+    <message>
+        <source>In hand</source>
+        <translation>I handen</translation>
+    </message>
+    <message>
+        <source>Parts of the tool</source>
+        <translation>Verktygets delar</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurvor</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, ändrat</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::BrushFinder</name>
+    <message>
+        <source>Which tools are listed</source>
+        <translation>Vilka verktyg som visas</translation>
+    </message>
+    <message>
+        <source>Find a tool</source>
+        <translation>Sök verktyg</translation>
+    </message>
+    <message>
+        <source>A few letters of its name or of its family; Return takes the first</source>
+        <translation>Några bokstäver i dess namn eller grupp; Retur tar det första</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alla</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoriter</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Senaste</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>Mina egna</translation>
     </message>
 </context>
 <context>
@@ -6781,6 +10422,13 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
     </message>
 </context>
 <context>
+    <name>pastoso::panels::StrokeStrip</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::ThinningSlider</name>
     <message>
         <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
@@ -6861,6 +10509,33 @@ Dra: flytta bilden
     <message>
         <source>There is no OpenGL any more to draw the canvas with.</source>
         <translation>Det finns inte längre någon OpenGL att rita duken med.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::screens</name>
+    <message>
+        <source>All commands and their keys</source>
+        <translation>Alla kommandon och deras tangenter</translation>
+    </message>
+    <message>
+        <source>In the order of the menus. &quot;Keys&quot; in the &quot;Settings&quot; menu changes them ([how](settings.md#keys)). This page is printed by the program; `packaging/screens.sh --manual` prints it anew.</source>
+        <translation>I menyernas ordning. ”Kortkommandon” i menyn ”Inställningar” ändrar dem ([så här](settings.md#keys)). Den här sidan skrivs ut av programmet; `packaging/screens.sh --manual` skriver ut den på nytt.</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>kommando</translation>
+    </message>
+    <message>
+        <source>like Krita</source>
+        <translation>som i Krita</translation>
+    </message>
+    <message>
+        <source>like Photoshop</source>
+        <translation>som i Photoshop</translation>
+    </message>
+    <message>
+        <source>does</source>
+        <translation>gör</translation>
     </message>
 </context>
 <context>
@@ -7148,6 +10823,14 @@ Dra: flytta bilden
     <message>
         <source>Stroke in the mixing well</source>
         <translation>Penseldrag på blandningsytan</translation>
+    </message>
+    <message>
+        <source>Canvas mirrored</source>
+        <translation>Duken speglad</translation>
+    </message>
+    <message>
+        <source>Canvas turned</source>
+        <translation>Duken vriden</translation>
     </message>
 </context>
 </TS>

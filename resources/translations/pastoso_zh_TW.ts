@@ -104,6 +104,2689 @@
     </message>
 </context>
 <context>
+    <name>Engine</name>
+    <message>
+        <source>&quot;%1&quot; holds no picture and is left out.</source>
+        <translation>「%1」不含圖片，已略過。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2, but must lie between %3 and %4.</source>
+        <translation>「%1」為 %2，但必須介於 %3 和 %4 之間。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is known in millimetres only; in cells describe a &quot;weave&quot;.</source>
+        <translation>「%1」只能以公釐為單位；以格為單位時請描述「weave」。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is needed on the canvas itself.</source>
+        <translation>「%1」在畫布上另有用途。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither &quot;once&quot; nor &quot;reflected&quot;.</source>
+        <translation>「%1」不是「once」，也不是「reflected」。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither K nor S.</source>
+        <translation>「%1」既不是 K 也不是 S。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no form of a shape; there are %2.</source>
+        <translation>「%1」不是形狀的形式；可用的有 %2。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tool that an eraser end can take.</source>
+        <translation>「%1」不是橡皮擦端可以拿的工具。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of &quot;particles&quot;, &quot;level_set&quot;, &quot;upwind_level_set&quot; and &quot;particle_level_set&quot;.</source>
+        <translation>「%1」不是「particles」、「level_set」、「upwind_level_set」或「particle_level_set」。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2.</source>
+        <translation>「%1」不屬於以下任何一個：%2。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour such as #783c14.</source>
+        <translation>「%1」不是像 #783c14 這樣的顏色。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a colour; a colour is # and six hexadecimal digits, for example #c03020.</source>
+        <translation>「%1」不是顏色；顏色是 # 加六個十六進位數字，例如 #c03020。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number.</source>
+        <translation>「%1」不是有限的數字。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a key such as Ctrl+Shift+Z.</source>
+        <translation>「%1」不是像 Ctrl+Shift+Z 這樣的按鍵。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number.</source>
+        <translation>「%1」不是數字。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a wavelength in nm and a power with one comma.</source>
+        <translation>「%1」不是以一個逗號分隔的波長（nm）和功率。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of %2.</source>
+        <translation>「%1」不屬於以下任何一個：%2。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not one of krita and photoshop.</source>
+        <translation>「%1」不是 krita，也不是 photoshop。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the key of %2 already.</source>
+        <translation>「%1」已經是 %2 的按鍵。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the name of no command.</source>
+        <translation>沒有名為「%1」的指令。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands here twice.</source>
+        <translation>「%1」在這裡出現了兩次。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands once for the whole file.</source>
+        <translation>「%1」由整個檔案共用，只能寫一次。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was laid over the others by %2 and is laid over them as paint.</source>
+        <translation>「%1」原以 %2 疊在其他圖層上，現改為像顏料一樣疊上。</translation>
+    </message>
+    <message>
+        <source>&quot;endloop&quot; is missing before %1.</source>
+        <translation>%1 之前缺少「endloop」。</translation>
+    </message>
+    <message>
+        <source>&quot;tilt&quot; and &quot;gravity&quot; say the same; give one of them.</source>
+        <translation>「tilt」和「gravity」的意思相同；請只提供其中一個。</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a finite number.</source>
+        <translation>%1「%2」不是有限的數字。</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;)</source>
+        <translation>%1（「%2」）</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;): the field &quot;family&quot; is missing.</source>
+        <translation>%1（「%2」）：缺少欄位「family」。</translation>
+    </message>
+    <message>
+        <source>%1 (&quot;%2&quot;): thinned_with is &quot;%3&quot;, it must be the name of another medium here.</source>
+        <translation>%1（「%2」）：thinned_with 為「%3」，必須是此處另一種媒材的名稱。</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1（%2）。</translation>
+    </message>
+    <message>
+        <source>%1 Not read: %2</source>
+        <translation>%1 未讀取：%2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>%1 does not belong in an STL file.</source>
+        <translation>%1 不屬於 STL 檔案。</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which cannot set &quot;%3&quot;.</source>
+        <translation>%1 為「%2」，無法控制「%3」。</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which is none of: %3.</source>
+        <translation>%1 為「%2」，不屬於以下任何一個：%3。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 in cell (%3, %4), but must lie between 0 and %5 (cells count from 0 at the upper left).</source>
+        <translation>格 (%3, %4) 的%1為 %2，但必須介於 0 和 %5 之間（格從左上角的 0 起算）。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be a number from %3 to %4.</source>
+        <translation>%1 為 %2，必須是 %3 到 %4 的數字。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be a text.</source>
+        <translation>%1 為 %2，必須是文字。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, more than the length, %3.</source>
+        <translation>%1 為 %2，超過長度 %3。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not between %3 and %4.</source>
+        <translation>%1（%2）不在 %3 和 %4 之間。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, outside %3 to %4.</source>
+        <translation>%1 為 %2，超出 %3 到 %4 的範圍。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so that more than 100000 drops a second would fall.</source>
+        <translation>%1 為 %2，這樣每秒會落下超過 100000 滴。</translation>
+    </message>
+    <message>
+        <source>%1 is %2, whose input is not above that of the point before it.</source>
+        <translation>%1 為 %2，其輸入值沒有大於前一個點。</translation>
+    </message>
+    <message>
+        <source>%1 is a file; numbered pictures go into a folder.</source>
+        <translation>%1 是檔案；連號圖片需要放在資料夾裡。</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 是空的。</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>缺少 %1。</translation>
+    </message>
+    <message>
+        <source>%1 is no corner of a face.</source>
+        <translation>%1 不是面的角點。</translation>
+    </message>
+    <message>
+        <source>%1 is no number.</source>
+        <translation>%1 不是數字。</translation>
+    </message>
+    <message>
+        <source>%1 is not a field of a brush preset (value %2).</source>
+        <translation>%1 不是筆刷預設的欄位（值為 %2）。</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of %2 numbers.</source>
+        <translation>%1不是含有 %2 個數字的清單。</translation>
+    </message>
+    <message>
+        <source>%1 is not above 0 and at most %2.</source>
+        <translation>%1 不是大於 0 且最多 %2。</translation>
+    </message>
+    <message>
+        <source>%1 is not between %2 and %3.</source>
+        <translation>%1 不在 %2 和 %3 之間。</translation>
+    </message>
+    <message>
+        <source>%1 is not finite in single precision.</source>
+        <translation>%1 以單精度表示時不是有限值。</translation>
+    </message>
+    <message>
+        <source>%1 is not from %2 to %3.</source>
+        <translation>%1 不在 %2 到 %3 之間。</translation>
+    </message>
+    <message>
+        <source>%1 must be a list, not %2.</source>
+        <translation>%1 必須是清單，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2.</source>
+        <translation>%1 必須是數字，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must be a text, not %2.</source>
+        <translation>%1 必須是文字，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number, not %2.</source>
+        <translation>%1 必須是整數，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must be an object, not %2.</source>
+        <translation>%1 必須是物件，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false, not %2.</source>
+        <translation>%1 必須是 true 或 false，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must be two numbers, not %2.</source>
+        <translation>%1 必須是兩個數字，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>%1 must have 1 to %2 points, not %3.</source>
+        <translation>%1 必須有 1 到 %2 個點，而不是 %3 個。</translation>
+    </message>
+    <message>
+        <source>%1 names %2 %3, but %4 were given until here.</source>
+        <translation>%1 指向%2 %3，但到此處為止只有 %4 個。</translation>
+    </message>
+    <message>
+        <source>%1 needs about %2; %3 of memory are free.</source>
+        <translation>%1約需要 %2；可用記憶體為 %3。</translation>
+    </message>
+    <message>
+        <source>%1 normal</source>
+        <translation>%1 的法線</translation>
+    </message>
+    <message>
+        <source>%1 of the pigment &quot;%2&quot; is given twice.</source>
+        <translation>色料「%2」的 %1 出現兩次。</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 或 %2</translation>
+    </message>
+    <message>
+        <source>%1 per mm is negative.</source>
+        <translation>每 mm %1 是負數。</translation>
+    </message>
+    <message>
+        <source>%1 position</source>
+        <translation>%1 的位置</translation>
+    </message>
+    <message>
+        <source>%1 triangles take %2 bytes, but the file has %3.</source>
+        <translation>%1 個三角形需要 %2 位元組，但檔案有 %3 位元組。</translation>
+    </message>
+    <message>
+        <source>%1 would have %2 x %3 cells; at most %4 a side are possible.</source>
+        <translation>%1會有 %2 x %3 格；每邊最多 %4 格。</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells need about %3; %4 of memory are free.</source>
+        <translation>%1 x %2 格約需要 %3；可用記憶體為 %4。</translation>
+    </message>
+    <message>
+        <source>%1, %2 nm: %3 is not a number.</source>
+        <translation>%1，%2 nm：%3 不是數字。</translation>
+    </message>
+    <message>
+        <source>%1, %2 nm: the weight %3 is negative.</source>
+        <translation>%1，%2 nm：權重 %3 是負數。</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1，%2：%3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1，位元組 %2</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: %3</source>
+        <translation>%1，位元組 %2：%3</translation>
+    </message>
+    <message>
+        <source>%1, entry %2</source>
+        <translation>%1，第 %2 項</translation>
+    </message>
+    <message>
+        <source>%1, event %2: %3</source>
+        <translation>%1，事件 %2：%3</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1，第 %2 行：%3</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not JSON, or it is cut off here.</source>
+        <translation>%1，第 %2 行：這不是 JSON，或內容在此中斷。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this is not valid JSON.</source>
+        <translation>%1，第 %2 行：這不是有效的 JSON。</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a list of %3 bands.</source>
+        <translation>%1：「%2」不是含有 %3 個波段的清單。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; stands there twice.</source>
+        <translation>%1：「%2」出現兩次。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2 files do not hold %3-bit pictures.</source>
+        <translation>%1：%2 檔案不能儲存 %3 位元的圖片。</translation>
+    </message>
+    <message>
+        <source>%1: %2 files do not hold %3.</source>
+        <translation>%1：%2 檔案不能儲存這種圖片：%3。</translation>
+    </message>
+    <message>
+        <source>%1: %2 files hold at most %3 pixels a side; this picture has %4 x %5.</source>
+        <translation>%1：%2 檔案每邊最多 %3 像素；這張圖片為 %4 x %5。</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the pigment &quot;%3&quot; is %4 per mm in band %5 of %6, above the %7 that paint can have; give the pigment in a weaker paint.</source>
+        <translation>%1：色料「%3」的 %2 在第 %5 個波段（共 %6 個）為每 mm %4，超過顏料可能的上限 %7；請以較淡的顏料提供這種色料。</translation>
+    </message>
+    <message>
+        <source>%1: %2 x %3 pixels are more than the %4 a side that a PSD file holds.</source>
+        <translation>%1：%2 x %3 像素超過 PSD 檔案每邊 %4 像素的上限。</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1：%2。</translation>
+    </message>
+    <message>
+        <source>%1: 32 bits a channel hold linear light, which needs no ICC profile.</source>
+        <translation>%1：每色版 32 位元儲存的是線性光，不需要 ICC 描述檔。</translation>
+    </message>
+    <message>
+        <source>%1: a PSD file of these layers would be larger than 2 GB.</source>
+        <translation>%1：由這些圖層組成的 PSD 檔案會大於 2 GB。</translation>
+    </message>
+    <message>
+        <source>%1: a batch begins at an action or tick that cannot be.</source>
+        <translation>%1：有一個批次的起始動作或 tick 不可能存在。</translation>
+    </message>
+    <message>
+        <source>%1: a batch is too short.</source>
+        <translation>%1：有一個批次太短。</translation>
+    </message>
+    <message>
+        <source>%1: a copy in layers is saved as .ora or .psd; this name ends in neither.</source>
+        <translation>%1：含圖層的副本要存成 .ora 或 .psd；這個檔名的結尾都不是。</translation>
+    </message>
+    <message>
+        <source>%1: a mesh is read from .obj or .stl; this name ends otherwise.</source>
+        <translation>%1：網格要從 .obj 或 .stl 讀取；這個檔名的結尾不符。</translation>
+    </message>
+    <message>
+        <source>%1: a picture is saved as .png, .tif, .jpg, .webp or .exr; this name ends in none of them.</source>
+        <translation>%1：圖片要存成 .png、.tif、.jpg、.webp 或 .exr；這個檔名的結尾都不是。</translation>
+    </message>
+    <message>
+        <source>%1: a relief is saved as .stl, .ply or .obj; this name ends in none of them.</source>
+        <translation>%1：浮雕要存成 .stl、.ply 或 .obj；這個檔名的結尾都不是。</translation>
+    </message>
+    <message>
+        <source>%1: a relief is saved as .stl, .ply or .obj; this name ends otherwise.</source>
+        <translation>%1：浮雕要存成 .stl、.ply 或 .obj；這個檔名的結尾不符。</translation>
+    </message>
+    <message>
+        <source>%1: a scene is saved as .pbrt; this name ends otherwise.</source>
+        <translation>%1：場景要存成 .pbrt；這個檔名的結尾不符。</translation>
+    </message>
+    <message>
+        <source>%1: a surface is saved as .obj, .ply, .stl or .pbrt; this name ends otherwise.</source>
+        <translation>%1：表面要存成 .obj、.ply、.stl 或 .pbrt；這個檔名的結尾不符。</translation>
+    </message>
+    <message>
+        <source>%1: a video is made by the program ffmpeg, which is not installed; a folder&apos;s name instead gives numbered pictures.</source>
+        <translation>%1：影片由 ffmpeg 程式製作，但沒有安裝；改填資料夾名稱則會產生連號圖片。</translation>
+    </message>
+    <message>
+        <source>%1: a video is saved as .mp4, .mkv or .webm, and a folder&apos;s name has no ending.</source>
+        <translation>%1：影片要存成 .mp4、.mkv 或 .webm，資料夾名稱則沒有副檔名。</translation>
+    </message>
+    <message>
+        <source>%1: a volume is saved as .vdb; this name ends otherwise.</source>
+        <translation>%1：體積資料要存成 .vdb；這個檔名的結尾不符。</translation>
+    </message>
+    <message>
+        <source>%1: another program is at it.</source>
+        <translation>%1：另一個程式正在使用。</translation>
+    </message>
+    <message>
+        <source>%1: band %2 of &quot;%3&quot;</source>
+        <translation>%1：「%3」的第 %2 個波段</translation>
+    </message>
+    <message>
+        <source>%1: cannot be created (%2).</source>
+        <translation>%1：無法建立（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2).</source>
+        <translation>%1：無法開啟（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2).</source>
+        <translation>%1：無法讀取（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read to its end.</source>
+        <translation>%1：無法讀到結尾。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be removed (%2).</source>
+        <translation>%1：無法移除（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2).</source>
+        <translation>%1：無法寫入（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2); what is painted now can be saved, but not recovered.</source>
+        <translation>%1：無法寫入（%2）；現在畫的內容可以儲存，但無法救回。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written, since this program was built without OpenVDB.</source>
+        <translation>%1：無法寫入，因為這個程式建置時不含 OpenVDB。</translation>
+    </message>
+    <message>
+        <source>%1: does not say what was painted on.</source>
+        <translation>%1：沒有記錄是畫在什麼上面。</translation>
+    </message>
+    <message>
+        <source>%1: expected the name of a pigment.</source>
+        <translation>%1：應為色料的名稱。</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg cannot be started (%2).</source>
+        <translation>%1：無法啟動 ffmpeg（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg cannot make the video (%2).</source>
+        <translation>%1：ffmpeg 無法製作影片（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: holds a number that is too large (%2).</source>
+        <translation>%1：含有太大的數字（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: holds a number that is too large.</source>
+        <translation>%1：含有太大的數字。</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile for %2, but the picture&apos;s values are red, green and blue.</source>
+        <translation>%1：含有 %2 的 ICC 描述檔，但圖片的值是紅、綠、藍。</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile that cannot be applied (%2).</source>
+        <translation>%1：含有無法套用的 ICC 描述檔（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: holds an ICC profile that is none (%2).</source>
+        <translation>%1：含有無效的 ICC 描述檔（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: holds frames of another time-lapse; name another folder, or remove them.</source>
+        <translation>%1：存有另一段縮時影片的影格；請換個資料夾，或移除這些影格。</translation>
+    </message>
+    <message>
+        <source>%1: holds no actions of a painting.</source>
+        <translation>%1：不含任何作畫的動作。</translation>
+    </message>
+    <message>
+        <source>%1: holds no stroke; expected lines &quot;seconds x y pressure&quot;, some with a pressure above 0.</source>
+        <translation>%1：不含筆觸；應有「seconds x y pressure」這樣的行，其中有些筆壓大於 0。</translation>
+    </message>
+    <message>
+        <source>%1: holds no strokes that could be painted again.</source>
+        <translation>%1：不含可以重新繪製的筆觸。</translation>
+    </message>
+    <message>
+        <source>%1: is %2, not a file.</source>
+        <translation>%1：是%2，不是檔案。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile for %2, but a picture is written in red, green and blue.</source>
+        <translation>%1：是 %2 的 ICC 描述檔，但圖片是以紅、綠、藍寫入。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile for %2, but a screen shows red, green and blue.</source>
+        <translation>%1：是 %2 的 ICC 描述檔，但螢幕顯示的是紅、綠、藍。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no colour can be shown with (%2).</source>
+        <translation>%1：是無法用來顯示顏色的 ICC 描述檔（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no picture can be written in (%2).</source>
+        <translation>%1：是無法用來寫入圖片的 ICC 描述檔（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: is an ICC profile that no print can be shown with (%2).</source>
+        <translation>%1：是無法用來顯示列印效果的 ICC 描述檔（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: is an OpenRaster picture of another program; it holds no wet paint.</source>
+        <translation>%1：是其他程式的 OpenRaster 圖片，不含濕顏料。</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; %2 actions after it are lost.</source>
+        <translation>%1：已損壞；其後的 %2 個動作已遺失。</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; 1 action after it is lost.</source>
+        <translation>%1：已損壞；其後的 1 個動作已遺失。</translation>
+    </message>
+    <message>
+        <source>%1: is damaged; the painting is there, but some of its strokes are missing, so that they cannot be replayed.</source>
+        <translation>%1：已損壞；畫作還在，但缺少部分筆觸，因此無法重播。</translation>
+    </message>
+    <message>
+        <source>%1: is larger than the %2 bytes that are read at most.</source>
+        <translation>%1：大於可讀取的上限 %2 位元組。</translation>
+    </message>
+    <message>
+        <source>%1: is no ICC profile (%2).</source>
+        <translation>%1：不是 ICC 描述檔（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: is no OpenRaster file, which would hold %2.</source>
+        <translation>%1：不是 OpenRaster 檔案，這種檔案應含有 %2。</translation>
+    </message>
+    <message>
+        <source>%1: is no painting of Pastoso, or its end is missing (%2).</source>
+        <translation>%1：不是 Pastoso 的畫作，或缺少結尾（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: is no painting of Pastoso.</source>
+        <translation>%1：不是 Pastoso 的畫作。</translation>
+    </message>
+    <message>
+        <source>%1: is not a list of media in square brackets.</source>
+        <translation>%1：不是方括號內的媒材清單。</translation>
+    </message>
+    <message>
+        <source>%1: is not an object in braces.</source>
+        <translation>%1：不是大括號內的物件。</translation>
+    </message>
+    <message>
+        <source>%1: is of another moment.</source>
+        <translation>%1：屬於另一個時刻。</translation>
+    </message>
+    <message>
+        <source>%1: is write-protected; allow writing to it, or choose another name.</source>
+        <translation>%1：受到寫入保護；請允許寫入，或選擇別的名稱。</translation>
+    </message>
+    <message>
+        <source>%1: is written, but may be lost in a power cut (%2).</source>
+        <translation>%1：已寫入，但停電時可能會遺失（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: keeps frames of %2; choose another folder.</source>
+        <translation>%1：存有%2的影格；請選擇別的資料夾。</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects are nested more than %2 deep.</source>
+        <translation>%1：清單與物件的巢狀超過 %2 層。</translation>
+    </message>
+    <message>
+        <source>%1: lists and objects stand more than %2 deep in each other.</source>
+        <translation>%1：清單與物件互相巢狀超過 %2 層。</translation>
+    </message>
+    <message>
+        <source>%1: maps are saved as .png, .tif or .exr; %2 files do not hold heights.</source>
+        <translation>%1：貼圖要存成 .png、.tif 或 .exr；%2 檔案不能儲存高度。</translation>
+    </message>
+    <message>
+        <source>%1: name is &quot;%2&quot;, which another preset of yours has already.</source>
+        <translation>%1：name 為「%2」，但你的另一個筆刷預設已使用這個名稱。</translation>
+    </message>
+    <message>
+        <source>%1: only .exr files hold layers.</source>
+        <translation>%1：只有 .exr 檔案能儲存圖層。</translation>
+    </message>
+    <message>
+        <source>%1: only .exr files hold the layers&apos; heights and normals.</source>
+        <translation>%1：只有 .exr 檔案能儲存圖層的高度和法線。</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of vertex %3 is not finite; nothing was written.</source>
+        <translation>%1：頂點 %3 的%2不是有限值；沒有寫入任何內容。</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full.</source>
+        <translation>%1：磁碟已滿。</translation>
+    </message>
+    <message>
+        <source>%1: the entry &quot;%2&quot; is missing.</source>
+        <translation>%1：缺少項目「%2」。</translation>
+    </message>
+    <message>
+        <source>%1: the list &quot;%2&quot; of paints is missing.</source>
+        <translation>%1：缺少顏料清單「%2」。</translation>
+    </message>
+    <message>
+        <source>%1: the name &quot;%2&quot; begins with #, as only colours do.</source>
+        <translation>%1：名稱「%2」以 # 開頭，但只有顏色才會這樣。</translation>
+    </message>
+    <message>
+        <source>%1: the name must end in .pbrt, .obj, .ply or .stl. Choose one of them.</source>
+        <translation>%1：檔名必須以 .pbrt、.obj、.ply 或 .stl 結尾。請選擇其中一種。</translation>
+    </message>
+    <message>
+        <source>%1: the pigment &quot;%2&quot; has no line for %3.</source>
+        <translation>%1：色料「%2」缺少 %3 那一行。</translation>
+    </message>
+    <message>
+        <source>%1: the readings go from %2 to %3 nm; a light is needed from 400 to 700 nm.</source>
+        <translation>%1：讀數從 %2 到 %3 nm；光源需要 400 到 700 nm 的讀數。</translation>
+    </message>
+    <message>
+        <source>%1: the system refuses this (%2).</source>
+        <translation>%1：系統拒絕這項操作（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: the weights add up to %2 instead of 1.</source>
+        <translation>%1：權重總和為 %2，而不是 1。</translation>
+    </message>
+    <message>
+        <source>%1: there are more than %2 triangles.</source>
+        <translation>%1：三角形超過 %2 個。</translation>
+    </message>
+    <message>
+        <source>%1: there is already a pigment &quot;%2&quot;; give yours another name.</source>
+        <translation>%1：已有色料「%2」；請為你的色料換個名稱。</translation>
+    </message>
+    <message>
+        <source>%1: there is no colour in this palette.</source>
+        <translation>%1：這個調色盤中沒有顏色。</translation>
+    </message>
+    <message>
+        <source>%1: there is no pigment &quot;%2&quot;.</source>
+        <translation>%1：沒有色料「%2」。</translation>
+    </message>
+    <message>
+        <source>%1: there is no pigment in this file.</source>
+        <translation>%1：這個檔案中沒有色料。</translation>
+    </message>
+    <message>
+        <source>%1: there is no reading of a light in this file.</source>
+        <translation>%1：這個檔案中沒有光源的讀數。</translation>
+    </message>
+    <message>
+        <source>%1: this file of the program itself is missing; reinstall it or set PASTOSO_RESOURCES to the folder that holds it.</source>
+        <translation>%1：缺少這個程式本身的檔案；請重新安裝程式，或將 PASTOSO_RESOURCES 設為含有該檔案的資料夾。</translation>
+    </message>
+    <message>
+        <source>%1: this folder cannot be made (%2).</source>
+        <translation>%1：無法建立這個資料夾（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: this format holds linear light, which needs no ICC profile.</source>
+        <translation>%1：這種格式儲存的是線性光，不需要 ICC 描述檔。</translation>
+    </message>
+    <message>
+        <source>%1: this is not valid JSON.</source>
+        <translation>%1：這不是有效的 JSON。</translation>
+    </message>
+    <message>
+        <source>%1: this light has no power that is seen.</source>
+        <translation>%1：這個光源沒有看得見的功率。</translation>
+    </message>
+    <message>
+        <source>%1: this light is so nearly a pure colour that nothing looks white in it.</source>
+        <translation>%1：這個光源太接近純色，沒有任何東西在其中看起來是白色。</translation>
+    </message>
+    <message>
+        <source>%1: this part of the program cannot be loaded (%2).</source>
+        <translation>%1：無法載入程式的這個部分（%2）。</translation>
+    </message>
+    <message>
+        <source>%1: this part of the program is of another version; reinstall it.</source>
+        <translation>%1：程式的這個部分屬於另一個版本；請重新安裝。</translation>
+    </message>
+    <message>
+        <source>%1: was saved by Pastoso with another form of %2; where nothing is painted, the canvas looks different.</source>
+        <translation>%1：儲存時 Pastoso 使用了另一種形式的 %2；沒有畫到的地方，畫布看起來會不同。</translation>
+    </message>
+    <message>
+        <source>16-bit pictures</source>
+        <translation>16 位元圖片</translation>
+    </message>
+    <message>
+        <source>8-bit pictures</source>
+        <translation>8 位元圖片</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; is left out.</source>
+        <translation>已略過 &lt;%1&gt;。</translation>
+    </message>
+    <message>
+        <source>A brush needs a name.</source>
+        <translation>筆刷需要名稱。</translation>
+    </message>
+    <message>
+        <source>A canvas of %1 x %2 mm at %3 px/mm</source>
+        <translation>%1 x %2 mm、%3 px/mm 的畫布</translation>
+    </message>
+    <message>
+        <source>A diffusivity of %1 m2/s over %2 s; both must be 0 or more.</source>
+        <translation>擴散率為 %1 m2/s，時間為 %2 s；兩者都必須是 0 以上。</translation>
+    </message>
+    <message>
+        <source>A diffusivity or viscosity of %1 m2/s is too large for a step of %2 s.</source>
+        <translation>擴散率或黏度 %1 m2/s 對 %2 s 的時間步來說太大。</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s ball</source>
+        <translation>奶滴所屬的奶球</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s coldness</source>
+        <translation>奶滴的冷度</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s place</source>
+        <translation>奶滴的位置</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s shape is none.</source>
+        <translation>奶滴的形狀無效。</translation>
+    </message>
+    <message>
+        <source>A parcel&apos;s volume</source>
+        <translation>奶滴的體積</translation>
+    </message>
+    <message>
+        <source>A particle of this state is not within the tank.</source>
+        <translation>這個狀態中有粒子不在水槽內。</translation>
+    </message>
+    <message>
+        <source>A picture</source>
+        <translation>圖片</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than the 268 million that can be rendered.</source>
+        <translation>%1 x %2 像素的圖片超過可算繪的上限 2.68 億像素。</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is larger than the 32768 a side that can be made.</source>
+        <translation>%1 x %2 像素的圖片超過每邊 32768 像素的上限。</translation>
+    </message>
+    <message>
+        <source>A relief of %1 x %2 points is more than the 25 million that can be made; a coarser resolution takes fewer.</source>
+        <translation>%1 x %2 個點的浮雕超過 2500 萬個點的上限；解析度較粗時點數較少。</translation>
+    </message>
+    <message>
+        <source>Cannot make the folder %1: %2.</source>
+        <translation>無法建立資料夾 %1：%2。</translation>
+    </message>
+    <message>
+        <source>Cannot write </source>
+        <translation>無法寫入 </translation>
+    </message>
+    <message>
+        <source>Cup, box, cells, time step, seed and the recipe&apos;s milk cannot change while the tea runs.</source>
+        <translation>茶的模擬進行時，不能變更杯子、範圍、格數、時間步長、種子和配方的牛奶。</translation>
+    </message>
+    <message>
+        <source>Nothing has been painted yet that a film could show.</source>
+        <translation>還沒有畫任何東西，無法製作影片。</translation>
+    </message>
+    <message>
+        <source>OpenGL reports error %1</source>
+        <translation>OpenGL 回報錯誤 %1</translation>
+    </message>
+    <message>
+        <source>PASTOSO_ISA is &quot;%1&quot;, but there are baseline, avx2 and avx512.</source>
+        <translation>PASTOSO_ISA 為「%1」，但可用的只有 baseline、avx2 和 avx512。</translation>
+    </message>
+    <message>
+        <source>The %1 of the canvas is %2 %3, but must lie between %4 and %5.</source>
+        <translation>畫布的%1為 %2 %3，但必須介於 %4 和 %5 之間。</translation>
+    </message>
+    <message>
+        <source>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</source>
+        <translation>液體的範圍有 %1 x %2 x %3 格；每邊可為 2 到 %4 格。</translation>
+    </message>
+    <message>
+        <source>The canvas is %1 x %2 cells, more than this graphics driver can show.</source>
+        <translation>畫布有 %1 x %2 格，超過這個圖形驅動程式能顯示的範圍。</translation>
+    </message>
+    <message>
+        <source>The cells of the box of liquid are %1 m wide, which is no size.</source>
+        <translation>液體範圍的格寬為 %1 m，這不是有效的大小。</translation>
+    </message>
+    <message>
+        <source>The cup&apos;s radius at its level</source>
+        <translation>杯子在液面處的半徑</translation>
+    </message>
+    <message>
+        <source>The diffusivity or viscosity is %1 m2/s; it must be 0 or more.</source>
+        <translation>擴散率或黏度為 %1 m2/s；必須是 0 以上。</translation>
+    </message>
+    <message>
+        <source>The file needs a name.</source>
+        <translation>檔案需要名稱。</translation>
+    </message>
+    <message>
+        <source>The film is of %1 media, but may be of %2 at most.</source>
+        <translation>顏料層由 %1 種媒材組成，但最多只能有 %2 種。</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
+        <translation>資料夾 %1 裡已有另一段縮時影片的影格；請換個名稱。</translation>
+    </message>
+    <message>
+        <source>The graphics card cannot draw the canvas: %1.</source>
+        <translation>顯示卡無法繪製畫布：%1。</translation>
+    </message>
+    <message>
+        <source>The graphics driver refuses a program that pictures are drawn with: %1</source>
+        <translation>圖形驅動程式拒絕了用來繪製畫面的程式：%1</translation>
+    </message>
+    <message>
+        <source>The height of the support</source>
+        <translation>基底材高度</translation>
+    </message>
+    <message>
+        <source>The latest strokes %1</source>
+        <translation>最近的筆觸%1</translation>
+    </message>
+    <message>
+        <source>The light&apos;s %1 is %2, outside the range from %3 to %4.</source>
+        <translation>光線的%1為 %2，超出 %3 到 %4 的範圍。</translation>
+    </message>
+    <message>
+        <source>The milk that was poured</source>
+        <translation>已倒入的牛奶</translation>
+    </message>
+    <message>
+        <source>The next ball&apos;s time</source>
+        <translation>下一個奶球的時間</translation>
+    </message>
+    <message>
+        <source>The number of balls</source>
+        <translation>奶球的數量</translation>
+    </message>
+    <message>
+        <source>The number of parcels</source>
+        <translation>奶滴的數量</translation>
+    </message>
+    <message>
+        <source>The painting is as it was saved, but its strokes %1</source>
+        <translation>畫作和儲存時一樣，但其中的筆觸%1</translation>
+    </message>
+    <message>
+        <source>The painting is recovered up to an action that cannot be repeated: %1</source>
+        <translation>畫作已救回，直到一個無法重複的動作為止：%1</translation>
+    </message>
+    <message>
+        <source>The painting is whole, but its strokes cannot be replayed: %1</source>
+        <translation>畫作完整，但其中的筆觸無法重播：%1</translation>
+    </message>
+    <message>
+        <source>The part of the canvas to render is empty or reaches beyond the canvas.</source>
+        <translation>要算繪的畫布部分是空的，或超出畫布。</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s scale is %1 pixels per cell, outside the range from 1/64 to 64.</source>
+        <translation>圖片的比例為每格 %1 像素，超出 1/64 到 64 的範圍。</translation>
+    </message>
+    <message>
+        <source>The pressure is allowed %1 iterations; it needs at least 1.</source>
+        <translation>壓力求解允許 %1 次迭代；至少需要 1 次。</translation>
+    </message>
+    <message>
+        <source>The pressure&apos;s tolerance is %1; it may be 1e-7 to 1.</source>
+        <translation>壓力的容許誤差為 %1；可為 1e-7 到 1。</translation>
+    </message>
+    <message>
+        <source>The relief&apos;s %1 is %2, outside the range from %3 to %4.</source>
+        <translation>浮雕的%1為 %2，超出 %3 到 %4 的範圍。</translation>
+    </message>
+    <message>
+        <source>The state is that of another box of cells.</source>
+        <translation>這個狀態屬於另一個由格組成的範圍。</translation>
+    </message>
+    <message>
+        <source>The step</source>
+        <translation>步數</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s end</source>
+        <translation>牛奶細流的結束時間</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s parcels</source>
+        <translation>牛奶細流的奶滴數</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s place</source>
+        <translation>牛奶細流的位置</translation>
+    </message>
+    <message>
+        <source>The stream&apos;s time</source>
+        <translation>牛奶細流的時間</translation>
+    </message>
+    <message>
+        <source>The support &quot;image&quot; needs a height image; none is named.</source>
+        <translation>基底材「image」需要高度圖，但沒有指定。</translation>
+    </message>
+    <message>
+        <source>The thickness of the film</source>
+        <translation>顏料層厚度</translation>
+    </message>
+    <message>
+        <source>The time of this state is not one of a tank.</source>
+        <translation>這個狀態的時間不是水槽的時間。</translation>
+    </message>
+    <message>
+        <source>The time step is %1 s; it must be 0 or more.</source>
+        <translation>時間步長為 %1 s；必須是 0 以上。</translation>
+    </message>
+    <message>
+        <source>The varnish&apos;s %1 is %2, outside the range from 0 to 1.</source>
+        <translation>凡尼斯的%1為 %2，超出 0 到 1 的範圍。</translation>
+    </message>
+    <message>
+        <source>The viscosity is %1 m2/s; it must be 0 or more.</source>
+        <translation>黏度為 %1 m2/s；必須是 0 以上。</translation>
+    </message>
+    <message>
+        <source>The vorticity confinement is %1; it may be 0 to 0.3.</source>
+        <translation>渦度約束為 %1；可為 0 到 0.3。</translation>
+    </message>
+    <message>
+        <source>The wall&apos;s distance at (%1, %2, %3) m is not a number.</source>
+        <translation>(%1, %2, %3) m 處到壁面的距離不是數字。</translation>
+    </message>
+    <message>
+        <source>There are %1 values for the %2 x %3 cells of the canvas.</source>
+        <translation>畫布有 %2 x %3 格，但有 %1 個值。</translation>
+    </message>
+    <message>
+        <source>There is already a brush &quot;%1&quot;.</source>
+        <translation>已有筆刷「%1」。</translation>
+    </message>
+    <message>
+        <source>There is already a file %1.</source>
+        <translation>已有檔案 %1。</translation>
+    </message>
+    <message>
+        <source>There is no brush &quot;%1&quot;; the brushes are %2.</source>
+        <translation>沒有筆刷「%1」；可用的筆刷有 %2。</translation>
+    </message>
+    <message>
+        <source>There is no case &quot;%1&quot;, only %2.</source>
+        <translation>沒有案例「%1」，只有 %2。</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>沒有資料夾 %1。</translation>
+    </message>
+    <message>
+        <source>There is no light &quot;%1&quot;; there are D65, D50, A and LED, or give the path of a CSV file.</source>
+        <translation>沒有光源「%1」；可用的有 D65、D50、A 和 LED，也可以提供 CSV 檔案的路徑。</translation>
+    </message>
+    <message>
+        <source>There is no medium &quot;%1&quot;; the media are: %2.</source>
+        <translation>沒有媒材「%1」；可用的媒材有：%2。</translation>
+    </message>
+    <message>
+        <source>There is no picture yet that could be saved.</source>
+        <translation>還沒有可以儲存的圖片。</translation>
+    </message>
+    <message>
+        <source>There is no pigment &quot;%1&quot;; %2</source>
+        <translation>沒有色料「%1」；%2</translation>
+    </message>
+    <message>
+        <source>There is no pigment &quot;%1&quot;; did you mean %2; %3</source>
+        <translation>沒有色料「%1」；是指 %2 嗎？%3</translation>
+    </message>
+    <message>
+        <source>There is no scene &quot;%1&quot;; give a file ending in .json, or one of: %2.</source>
+        <translation>沒有場景「%1」；請提供以 .json 結尾的檔案，或下列之一：%2。</translation>
+    </message>
+    <message>
+        <source>There is no support &quot;%1&quot;; the supports are: %2.</source>
+        <translation>沒有基底材「%1」；可用的基底材有：%2。</translation>
+    </message>
+    <message>
+        <source>This is the state of a level set, not of particles.</source>
+        <translation>這是水平集的狀態，不是粒子的狀態。</translation>
+    </message>
+    <message>
+        <source>This is the state of a tank that is followed in another way.</source>
+        <translation>這是以另一種方法計算的水槽的狀態。</translation>
+    </message>
+    <message>
+        <source>This is the state of another tank.</source>
+        <translation>這是另一個水槽的狀態。</translation>
+    </message>
+    <message>
+        <source>a bristle holds what none can.</source>
+        <translation>有一根筆毛含有不可能的內容。</translation>
+    </message>
+    <message>
+        <source>a cap is at most a half sphere: its thickness %1 must lie above 0 and not above its radius %2.</source>
+        <translation>球冠最多為半球：其厚度 %1 必須大於 0，且不大於半徑 %2。</translation>
+    </message>
+    <message>
+        <source>a cell holds more of its media than it holds paint.</source>
+        <translation>有一格的媒材多於其顏料。</translation>
+    </message>
+    <message>
+        <source>a combination has no parts.</source>
+        <translation>組合中沒有任何部分。</translation>
+    </message>
+    <message>
+        <source>a corner of triangle %1 is not finite (%2).</source>
+        <translation>三角形 %1 的一個角點不是有限值（%2）。</translation>
+    </message>
+    <message>
+        <source>a corner stands outside of a loop.</source>
+        <translation>有角點在環之外。</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>裝置</translation>
+    </message>
+    <message>
+        <source>a document type is not read here.</source>
+        <translation>此處不接受文件類型宣告。</translation>
+    </message>
+    <message>
+        <source>a face has %1 corners, not three or more.</source>
+        <translation>有一個面有 %1 個角點，而不是三個以上。</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>檔案</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>資料夾</translation>
+    </message>
+    <message>
+        <source>a glass of milk tea</source>
+        <translation>奶茶場景</translation>
+    </message>
+    <message>
+        <source>a group needs a layer.</source>
+        <translation>群組需要圖層。</translation>
+    </message>
+    <message>
+        <source>a height of the support</source>
+        <translation>基底材高度</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>清單</translation>
+    </message>
+    <message>
+        <source>a loop begins within another one.</source>
+        <translation>有一個環在另一個環之內開始。</translation>
+    </message>
+    <message>
+        <source>a loop ends that has no three corners.</source>
+        <translation>有一個環結束時沒有三個角點。</translation>
+    </message>
+    <message>
+        <source>a mixture</source>
+        <translation>混色</translation>
+    </message>
+    <message>
+        <source>a named pipe</source>
+        <translation>具名管道</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>數字</translation>
+    </message>
+    <message>
+        <source>a number is missing.</source>
+        <translation>缺少一個數字。</translation>
+    </message>
+    <message>
+        <source>a painting has 1 to %1 layers, not %2.</source>
+        <translation>畫作有 1 到 %1 個圖層，而不是 %2 個。</translation>
+    </message>
+    <message>
+        <source>a painting has at most %1 layers.</source>
+        <translation>畫作最多有 %1 個圖層。</translation>
+    </message>
+    <message>
+        <source>a painting keeps its last layer.</source>
+        <translation>畫作必須保留最後一個圖層。</translation>
+    </message>
+    <message>
+        <source>a picture on it has no strokes, and comes no finer than it is.</source>
+        <translation>其中的圖片沒有筆觸，不會變得比原來更細。</translation>
+    </message>
+    <message>
+        <source>a point of an outline has two numbers, x and y.</source>
+        <translation>外框線的點有兩個數字，x 和 y。</translation>
+    </message>
+    <message>
+        <source>a pressure</source>
+        <translation>壓力</translation>
+    </message>
+    <message>
+        <source>a pressure curve leads from 0 to 1 and never falls.</source>
+        <translation>筆壓曲線從 0 到 1，而且不會下降。</translation>
+    </message>
+    <message>
+        <source>a reflectance</source>
+        <translation>反射率</translation>
+    </message>
+    <message>
+        <source>a run is named by up to 64 small letters, digits and hyphens.</source>
+        <translation>執行項目的名稱最多 64 個字元，由小寫字母、數字和連字號組成。</translation>
+    </message>
+    <message>
+        <source>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</source>
+        <translation>取樣點有 4 到 7 個數字，依序為 time、x、y、pressure、tilt_x、tilt_y、rotation；此處有 %1 個。</translation>
+    </message>
+    <message>
+        <source>a scene</source>
+        <translation>場景</translation>
+    </message>
+    <message>
+        <source>a scene of a glass tank</source>
+        <translation>玻璃水槽場景</translation>
+    </message>
+    <message>
+        <source>a shape is an object with one entry, its form, which is one of %1.</source>
+        <translation>形狀是只有一個項目的物件，該項目就是它的形式，為下列之一：%1。</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>通訊端</translation>
+    </message>
+    <message>
+        <source>a stroke needs at least one sample.</source>
+        <translation>筆觸至少需要一個取樣點。</translation>
+    </message>
+    <message>
+        <source>a stroke recording</source>
+        <translation>筆觸錄製檔</translation>
+    </message>
+    <message>
+        <source>a stroke that goes on stays on its surface.</source>
+        <translation>接續的筆觸留在原來的表面上。</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>a thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>a thickness of dry paint</source>
+        <translation>乾顏料厚度</translation>
+    </message>
+    <message>
+        <source>a tilt needs millimetres; in cells give &quot;gravity&quot;.</source>
+        <translation>傾斜需要以公釐為單位；以格為單位時請提供「gravity」。</translation>
+    </message>
+    <message>
+        <source>a triangle has more than three corners.</source>
+        <translation>有一個三角形超過三個角點。</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整數</translation>
+    </message>
+    <message>
+        <source>alpha_min is %1, it must not be larger than alpha_max, %2.</source>
+        <translation>alpha_min 為 %1，不能大於 alpha_max 的 %2。</translation>
+    </message>
+    <message>
+        <source>ambient share</source>
+        <translation>環境光比例</translation>
+    </message>
+    <message>
+        <source>amount</source>
+        <translation>用量</translation>
+    </message>
+    <message>
+        <source>an amount of a medium</source>
+        <translation>媒材量</translation>
+    </message>
+    <message>
+        <source>an amount of dry pigment</source>
+        <translation>乾色料量</translation>
+    </message>
+    <message>
+        <source>an amount of paint</source>
+        <translation>顏料量</translation>
+    </message>
+    <message>
+        <source>an exception of an unknown kind</source>
+        <translation>種類不明的例外狀況</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>物件</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>放在一旁</translation>
+    </message>
+    <message>
+        <source>at least one run is needed.</source>
+        <translation>至少需要一個執行項目。</translation>
+    </message>
+    <message>
+        <source>axis of the symmetry</source>
+        <translation>對稱軸的角度</translation>
+    </message>
+    <message>
+        <source>azimuth in degrees</source>
+        <translation>方位角（度）</translation>
+    </message>
+    <message>
+        <source>bare support</source>
+        <translation>空白基底材</translation>
+    </message>
+    <message>
+        <source>base in mm</source>
+        <translation>底部厚度（mm）</translation>
+    </message>
+    <message>
+        <source>belongs to another scene.</source>
+        <translation>屬於另一個場景。</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>藍色</translation>
+    </message>
+    <message>
+        <source>camera eye</source>
+        <translation>攝影機位置</translation>
+    </message>
+    <message>
+        <source>camera target</source>
+        <translation>攝影機目標</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1).</source>
+        <translation>無法讀取（%1）。</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>無法讀到結尾</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>畫布</translation>
+    </message>
+    <message>
+        <source>cell (%1, %2) holds %3 that cannot be.</source>
+        <translation>格 (%1, %2) 含有不可能的%3。</translation>
+    </message>
+    <message>
+        <source>cell (%1, %2) holds a lower stratum that is no part of its paint.</source>
+        <translation>格 (%1, %2) 含有不屬於其顏料的下層。</translation>
+    </message>
+    <message>
+        <source>checkpoint of a tank</source>
+        <translation>水槽的檢查點</translation>
+    </message>
+    <message>
+        <source>checkpoint of tea</source>
+        <translation>茶的檢查點</translation>
+    </message>
+    <message>
+        <source>column %1 (%2): %3</source>
+        <translation>第 %1 欄（%2）：%3</translation>
+    </message>
+    <message>
+        <source>cup axis</source>
+        <translation>杯子的軸</translation>
+    </message>
+    <message>
+        <source>cup floor</source>
+        <translation>杯底</translation>
+    </message>
+    <message>
+        <source>cup foot</source>
+        <translation>杯足</translation>
+    </message>
+    <message>
+        <source>cup level</source>
+        <translation>杯中液面</translation>
+    </message>
+    <message>
+        <source>cup radius at the foot</source>
+        <translation>杯足處的杯子半徑</translation>
+    </message>
+    <message>
+        <source>cup radius at the rim</source>
+        <translation>杯口處的杯子半徑</translation>
+    </message>
+    <message>
+        <source>cup rim</source>
+        <translation>杯口</translation>
+    </message>
+    <message>
+        <source>cup slope</source>
+        <translation>杯壁斜度</translation>
+    </message>
+    <message>
+        <source>cup wall</source>
+        <translation>杯壁</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>dent</source>
+        <translation>凹陷</translation>
+    </message>
+    <message>
+        <source>dent depth</source>
+        <translation>凹陷深度</translation>
+    </message>
+    <message>
+        <source>dent radius</source>
+        <translation>凹陷半徑</translation>
+    </message>
+    <message>
+        <source>direction of the tilt</source>
+        <translation>傾斜的方向</translation>
+    </message>
+    <message>
+        <source>distance from eye to target</source>
+        <translation>攝影機位置到目標的距離</translation>
+    </message>
+    <message>
+        <source>distance of the ruler&apos;s points</source>
+        <translation>直尺兩點的距離</translation>
+    </message>
+    <message>
+        <source>elevation in degrees</source>
+        <translation>高度角（度）</translation>
+    </message>
+    <message>
+        <source>ellipse&apos;s centre</source>
+        <translation>橢圓中心</translation>
+    </message>
+    <message>
+        <source>event %1: %2</source>
+        <translation>事件 %1：%2</translation>
+    </message>
+    <message>
+        <source>exaggeration</source>
+        <translation>高度倍率</translation>
+    </message>
+    <message>
+        <source>expected &quot;%1&quot;.</source>
+        <translation>應為「%1」。</translation>
+    </message>
+    <message>
+        <source>expected &quot;levels&quot; or &quot;fine&quot;.</source>
+        <translation>應為「levels」或「fine」。</translation>
+    </message>
+    <message>
+        <source>expected &quot;none&quot;, &quot;several&quot; or the numbers of one.</source>
+        <translation>應為「none」、「several」，或單獨一種的數值。</translation>
+    </message>
+    <message>
+        <source>expected %1 media at most.</source>
+        <translation>應為最多 %1 種媒材。</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers, one for each tile.</source>
+        <translation>應為 %1 個數字，每個區塊一個。</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers.</source>
+        <translation>應為 %1 個數字。</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2.</source>
+        <translation>應為%1，實際為：%2。</translation>
+    </message>
+    <message>
+        <source>expected 0 or more.</source>
+        <translation>應為 0 以上。</translation>
+    </message>
+    <message>
+        <source>expected 0 to 10000.</source>
+        <translation>應為 0 到 10000。</translation>
+    </message>
+    <message>
+        <source>expected 0 to 10000000.</source>
+        <translation>應為 0 到 10000000。</translation>
+    </message>
+    <message>
+        <source>expected 0 to a million seconds.</source>
+        <translation>應為 0 到一百萬秒。</translation>
+    </message>
+    <message>
+        <source>expected 1 to %1 layers.</source>
+        <translation>應為 1 到 %1 個圖層。</translation>
+    </message>
+    <message>
+        <source>expected 4 numbers, seconds x y pressure, found %1.</source>
+        <translation>應為 4 個數字，即 seconds x y pressure，實際有 %1 個。</translation>
+    </message>
+    <message>
+        <source>expected a colour and its name, for example [&quot;#783c14&quot;, &quot;Umber&quot;].</source>
+        <translation>應為顏色和它的名稱，例如 [&quot;#783c14&quot;, &quot;Umber&quot;]。</translation>
+    </message>
+    <message>
+        <source>expected a name that begins with pastoso/.</source>
+        <translation>應為以 pastoso/ 開頭的名稱。</translation>
+    </message>
+    <message>
+        <source>expected a number for &quot;%1&quot;.</source>
+        <translation>「%1」應為數字。</translation>
+    </message>
+    <message>
+        <source>expected a number from 1 to 1000.</source>
+        <translation>應為 1 到 1000 的數字。</translation>
+    </message>
+    <message>
+        <source>expected a pigment and its parts, for example [&quot;PB29&quot;, 1].</source>
+        <translation>應為色料和它的份數，例如 [&quot;PB29&quot;, 1]。</translation>
+    </message>
+    <message>
+        <source>expected a width and a height.</source>
+        <translation>應為寬度和高度。</translation>
+    </message>
+    <message>
+        <source>expected an amount of paint up to 1e18.</source>
+        <translation>應為不超過 1e18 的顏料量。</translation>
+    </message>
+    <message>
+        <source>expected four numbers, [left, top, right, bottom].</source>
+        <translation>應為四個數字，[左, 上, 右, 下]。</translation>
+    </message>
+    <message>
+        <source>expected four whole numbers, [left, top, right, bottom].</source>
+        <translation>應為四個整數，[左, 上, 右, 下]。</translation>
+    </message>
+    <message>
+        <source>expected one number for each medium.</source>
+        <translation>應為每種媒材一個數字。</translation>
+    </message>
+    <message>
+        <source>expected one of %1 beside the tick.</source>
+        <translation>除了 tick 之外，應有下列之一：%1。</translation>
+    </message>
+    <message>
+        <source>expected sixteen hexadecimal digits.</source>
+        <translation>應為十六個十六進位數字。</translation>
+    </message>
+    <message>
+        <source>expected the first tile and how many there are.</source>
+        <translation>應為第一個區塊和區塊數。</translation>
+    </message>
+    <message>
+        <source>expected the name of a file in the journal&apos;s folder.</source>
+        <translation>應為日誌資料夾中的檔案名稱。</translation>
+    </message>
+    <message>
+        <source>expected three numbers, found %1.</source>
+        <translation>應為三個數字，實際有 %1 個。</translation>
+    </message>
+    <message>
+        <source>expected three whole numbers, found %1.</source>
+        <translation>應為三個整數，實際有 %1 個。</translation>
+    </message>
+    <message>
+        <source>expected two numbers, [width, height].</source>
+        <translation>應為兩個數字，[寬度, 高度]。</translation>
+    </message>
+    <message>
+        <source>expected two numbers, [x, y].</source>
+        <translation>應為兩個數字，[x, y]。</translation>
+    </message>
+    <message>
+        <source>expected two numbers, for example [0.5, 0.7].</source>
+        <translation>應為兩個數字，例如 [0.5, 0.7]。</translation>
+    </message>
+    <message>
+        <source>expected two numbers, for example [20, 30].</source>
+        <translation>應為兩個數字，例如 [20, 30]。</translation>
+    </message>
+    <message>
+        <source>fill of the brush</source>
+        <translation>筆刷的沾取量</translation>
+    </message>
+    <message>
+        <source>frame of tea</source>
+        <translation>茶的影格</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>綠色</translation>
+    </message>
+    <message>
+        <source>group of the layer</source>
+        <translation>圖層所屬的群組</translation>
+    </message>
+    <message>
+        <source>grouping layers that do not lie next to each other would tear a group of layers apart.</source>
+        <translation>將不相鄰的圖層組成群組，會拆散圖層群組。</translation>
+    </message>
+    <message>
+        <source>half height of the ellipse</source>
+        <translation>橢圓高度的一半</translation>
+    </message>
+    <message>
+        <source>half width of the ellipse</source>
+        <translation>橢圓寬度的一半</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, but at most 32768 a side and 100 million in all are read.</source>
+        <translation>有 %1 x %2 像素，但最多只能讀取每邊 32768 像素、總共 1 億像素。</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>height of the new canvas</source>
+        <translation>新畫布的高度</translation>
+    </message>
+    <message>
+        <source>height of the picture</source>
+        <translation>圖片的高度</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes, but at most %2 are possible here.</source>
+        <translation>有 %1 位元組，但此處最多只能有 %2 位元組。</translation>
+    </message>
+    <message>
+        <source>holds a parcel (number %1) whose shape is none.</source>
+        <translation>含有形狀無效的奶滴（編號 %1）。</translation>
+    </message>
+    <message>
+        <source>holds a parcel (number %1) whose values are not finite.</source>
+        <translation>含有數值不是有限值的奶滴（編號 %1）。</translation>
+    </message>
+    <message>
+        <source>holds a particle whose numbers are not finite.</source>
+        <translation>含有數值不是有限值的粒子。</translation>
+    </message>
+    <message>
+        <source>holds a selection of another canvas than this one.</source>
+        <translation>含有另一張畫布的選取範圍。</translation>
+    </message>
+    <message>
+        <source>holds a value of a cell that is not finite.</source>
+        <translation>有一格的值不是有限值。</translation>
+    </message>
+    <message>
+        <source>holds a value that is not a finite number.</source>
+        <translation>含有不是有限數字的值。</translation>
+    </message>
+    <message>
+        <source>holds an ICC profile that is none (it is damaged).</source>
+        <translation>含有無效的 ICC 描述檔（已損壞）。</translation>
+    </message>
+    <message>
+        <source>holds sizes or numbers that no tank has.</source>
+        <translation>含有任何水槽都不會有的大小或數字。</translation>
+    </message>
+    <message>
+        <source>holds sizes or numbers that no tea has.</source>
+        <translation>含有任何茶都不會有的大小或數字。</translation>
+    </message>
+    <message>
+        <source>holds sizes or times that no frame has.</source>
+        <translation>含有任何影格都不會有的大小或時間。</translation>
+    </message>
+    <message>
+        <source>holds the paint of another brush than the one %1, which has %2 bristles.</source>
+        <translation>含有另一支筆刷的顏料，與%1的筆刷不符（這支筆刷有 %2 根筆毛）。</translation>
+    </message>
+    <message>
+        <source>in hand</source>
+        <translation>手上</translation>
+    </message>
+    <message>
+        <source>is cut off: the end of the JPEG picture is missing.</source>
+        <translation>不完整：缺少 JPEG 圖片的結尾。</translation>
+    </message>
+    <message>
+        <source>is damaged (%1).</source>
+        <translation>已損壞（%1）。</translation>
+    </message>
+    <message>
+        <source>is damaged (it cannot be decompressed, or its checksum is another).</source>
+        <translation>已損壞（無法解壓縮，或總和檢查碼不符）。</translation>
+    </message>
+    <message>
+        <source>is damaged (it ends within its first %1 bytes).</source>
+        <translation>已損壞（在前 %1 位元組之內就結束）。</translation>
+    </message>
+    <message>
+        <source>is damaged (it is longer than it says).</source>
+        <translation>已損壞（比標示的長）。</translation>
+    </message>
+    <message>
+        <source>is damaged (it is shorter than it says).</source>
+        <translation>已損壞（比標示的短）。</translation>
+    </message>
+    <message>
+        <source>is damaged (its checksum is another).</source>
+        <translation>已損壞（總和檢查碼不符）。</translation>
+    </message>
+    <message>
+        <source>is damaged (its header reaches beyond the end).</source>
+        <translation>已損壞（標頭超出檔案結尾）。</translation>
+    </message>
+    <message>
+        <source>is damaged (its length is not the one that is noted).</source>
+        <translation>已損壞（長度與記錄的不符）。</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes that are read of a WebP picture at most.</source>
+        <translation>大於 WebP 圖片可讀取的上限 %1 位元組。</translation>
+    </message>
+    <message>
+        <source>is missing.</source>
+        <translation>不存在。</translation>
+    </message>
+    <message>
+        <source>is no %1.</source>
+        <translation>不是%1。</translation>
+    </message>
+    <message>
+        <source>is no PNG picture</source>
+        <translation>不是 PNG 圖片</translation>
+    </message>
+    <message>
+        <source>is not an image that can be read (it is none of %1).</source>
+        <translation>不是可以讀取的圖片（不是這些格式：%1）。</translation>
+    </message>
+    <message>
+        <source>is of version %1, this program reads %2.</source>
+        <translation>是第 %1 版，本程式可讀取%2。</translation>
+    </message>
+    <message>
+        <source>is stored in tiles of %1 x %2 pixels, but 8 a side are the least that are read.</source>
+        <translation>以 %1 x %2 像素的區塊儲存，但可讀取的區塊每邊至少要有 8 像素。</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>已損壞</translation>
+    </message>
+    <message>
+        <source>it was reset</source>
+        <translation>已被重設</translation>
+    </message>
+    <message>
+        <source>its end is missing</source>
+        <translation>缺少結尾</translation>
+    </message>
+    <message>
+        <source>its memory does not suffice</source>
+        <translation>記憶體不足</translation>
+    </message>
+    <message>
+        <source>its strokes %1</source>
+        <translation>其中的筆觸%1</translation>
+    </message>
+    <message>
+        <source>its support is a picture, and comes no finer than that.</source>
+        <translation>其基底材是圖片，不會變得比原來更細。</translation>
+    </message>
+    <message>
+        <source>lamp radiance</source>
+        <translation>燈的輻射亮度</translation>
+    </message>
+    <message>
+        <source>lamp radius</source>
+        <translation>燈的半徑</translation>
+    </message>
+    <message>
+        <source>lamp towards</source>
+        <translation>燈的朝向</translation>
+    </message>
+    <message>
+        <source>least height</source>
+        <translation>最小高度</translation>
+    </message>
+    <message>
+        <source>least thickness of wet paint</source>
+        <translation>濕顏料的最小厚度</translation>
+    </message>
+    <message>
+        <source>linear pictures</source>
+        <translation>線性圖片</translation>
+    </message>
+    <message>
+        <source>memory ran out: what was asked for last is not done, or not whole.</source>
+        <translation>記憶體不足：最後要求的操作沒有完成，或不完整。</translation>
+    </message>
+    <message>
+        <source>mesh: &quot;%1&quot; was not read.</source>
+        <translation>網格：沒有讀取「%1」。</translation>
+    </message>
+    <message>
+        <source>mesh: it is not closed: the edge from %1 to %2 is not shared by exactly two triangles that run along it in opposite directions.</source>
+        <translation>網格：沒有封閉：從 %1 到 %2 的邊，不是恰好由兩個沿相反方向經過它的三角形共用。</translation>
+    </message>
+    <message>
+        <source>mesh: there are no triangles.</source>
+        <translation>網格：沒有三角形。</translation>
+    </message>
+    <message>
+        <source>mesh: triangle %1 names vertex %2 of %3.</source>
+        <translation>網格：三角形 %1 指向頂點 %2，但頂點共有 %3 個。</translation>
+    </message>
+    <message>
+        <source>mesh: vertex %1 lies at %2, which is no place.</source>
+        <translation>網格：頂點 %1 位於 %2，這不是有效的位置。</translation>
+    </message>
+    <message>
+        <source>milk share</source>
+        <translation>牛奶比例</translation>
+    </message>
+    <message>
+        <source>milk share&apos;s cell</source>
+        <translation>牛奶比例的格寬</translation>
+    </message>
+    <message>
+        <source>missing; %1</source>
+        <translation>缺少；%1</translation>
+    </message>
+    <message>
+        <source>mixing well</source>
+        <translation>調色槽</translation>
+    </message>
+    <message>
+        <source>most height</source>
+        <translation>最大高度</translation>
+    </message>
+    <message>
+        <source>most thickness of wet paint</source>
+        <translation>濕顏料的最大厚度</translation>
+    </message>
+    <message>
+        <source>moving the group there would tear a group of layers apart.</source>
+        <translation>將群組移到那裡，會拆散圖層群組。</translation>
+    </message>
+    <message>
+        <source>moving the layer there would tear a group of layers apart.</source>
+        <translation>將圖層移到那裡，會拆散圖層群組。</translation>
+    </message>
+    <message>
+        <source>name of a group</source>
+        <translation>群組的名稱</translation>
+    </message>
+    <message>
+        <source>name of a layer</source>
+        <translation>圖層的名稱</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>未提供原因</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>未提供原因</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>法線</translation>
+    </message>
+    <message>
+        <source>number of parts of %1</source>
+        <translation>%1 的份數</translation>
+    </message>
+    <message>
+        <source>number of the group</source>
+        <translation>群組的編號</translation>
+    </message>
+    <message>
+        <source>number of the layer</source>
+        <translation>圖層的編號</translation>
+    </message>
+    <message>
+        <source>number of the outline&apos;s points</source>
+        <translation>外框線的點數</translation>
+    </message>
+    <message>
+        <source>number of the picture&apos;s pixels</source>
+        <translation>圖片的像素數</translation>
+    </message>
+    <message>
+        <source>number of the symmetry&apos;s copies</source>
+        <translation>對稱的環繞份數</translation>
+    </message>
+    <message>
+        <source>opacity of the layer</source>
+        <translation>圖層的不透明度</translation>
+    </message>
+    <message>
+        <source>opacity of the tracing picture</source>
+        <translation>描圖底圖的不透明度</translation>
+    </message>
+    <message>
+        <source>other tea</source>
+        <translation>另一杯茶</translation>
+    </message>
+    <message>
+        <source>pictures of %1 million pixels are too large; choose a &quot;picture_scale&quot; for at most 100 million.</source>
+        <translation>%1 百萬像素的圖片太大；請選擇「picture_scale」，使圖片最多為 1 億像素。</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>place on the cloth in x</source>
+        <translation>布面 x 位置</translation>
+    </message>
+    <message>
+        <source>place on the cloth in y</source>
+        <translation>布面 y 位置</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>position of the group</source>
+        <translation>群組的位置</translation>
+    </message>
+    <message>
+        <source>position of the layer</source>
+        <translation>圖層的位置</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>筆壓</translation>
+    </message>
+    <message>
+        <source>pressure of the pen</source>
+        <translation>筆的筆壓</translation>
+    </message>
+    <message>
+        <source>radius of the fan</source>
+        <translation>風扇的半徑</translation>
+    </message>
+    <message>
+        <source>reach of the guide</source>
+        <translation>輔助線的作用範圍</translation>
+    </message>
+    <message>
+        <source>receding_angle_deg is %1, it must not be larger than advancing_angle_deg, %2.</source>
+        <translation>receding_angle_deg 為 %1，不能大於 advancing_angle_deg 的 %2。</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>紅色</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>解析度</translation>
+    </message>
+    <message>
+        <source>resolution in mm</source>
+        <translation>取樣點間距（mm）</translation>
+    </message>
+    <message>
+        <source>rotation of the pen</source>
+        <translation>筆的旋轉角度</translation>
+    </message>
+    <message>
+        <source>roughness on the dry support</source>
+        <translation>乾基底材上的粗糙度</translation>
+    </message>
+    <message>
+        <source>roughness on wet paint</source>
+        <translation>濕顏料上的粗糙度</translation>
+    </message>
+    <message>
+        <source>ruler&apos;s first point</source>
+        <translation>直尺第一點</translation>
+    </message>
+    <message>
+        <source>ruler&apos;s second point</source>
+        <translation>直尺第二點</translation>
+    </message>
+    <message>
+        <source>scale of the transform along %1, without its sign,</source>
+        <translation>變形沿 %1 的比例（不計正負號）</translation>
+    </message>
+    <message>
+        <source>scene format</source>
+        <translation>場景格式</translation>
+    </message>
+    <message>
+        <source>scene: %1 is %2, but must be from %3 to %4.</source>
+        <translation>場景：%1（%2）必須介於 %3 和 %4 之間。</translation>
+    </message>
+    <message>
+        <source>scene: %1 is 0, but must be a direction.</source>
+        <translation>場景：下列方向不能為 0：%1。</translation>
+    </message>
+    <message>
+        <source>scene: %1&apos;s corner is %2, but must be the number of a position.</source>
+        <translation>場景：%1 的角點為 %2，但必須是某個位置的編號。</translation>
+    </message>
+    <message>
+        <source>scene: %1&apos;s number of normals is %2, but must be 0 or that of its positions.</source>
+        <translation>場景：%1 的法線數為 %2，但必須是 0 或與位置數相同。</translation>
+    </message>
+    <message>
+        <source>scene: there is not enough memory to trace a mesh of %1 triangles.</source>
+        <translation>場景：記憶體不足，無法追蹤含 %1 個三角形的網格。</translation>
+    </message>
+    <message>
+        <source>seed of the brush</source>
+        <translation>筆刷的種子</translation>
+    </message>
+    <message>
+        <source>selects nothing.</source>
+        <translation>沒有選取任何部分。</translation>
+    </message>
+    <message>
+        <source>shadow softness in mm</source>
+        <translation>陰影柔和度（mm）</translation>
+    </message>
+    <message>
+        <source>share of paint</source>
+        <translation>顏料的比例</translation>
+    </message>
+    <message>
+        <source>share of the second paint</source>
+        <translation>第二種顏料的比例</translation>
+    </message>
+    <message>
+        <source>share that is wiped off the brush</source>
+        <translation>從筆刷擦掉的比例</translation>
+    </message>
+    <message>
+        <source>single-precision pictures</source>
+        <translation>單精度圖片</translation>
+    </message>
+    <message>
+        <source>sky above</source>
+        <translation>上方天空的亮度</translation>
+    </message>
+    <message>
+        <source>sky below</source>
+        <translation>下方天空的亮度</translation>
+    </message>
+    <message>
+        <source>smoothing of the stabiliser</source>
+        <translation>穩定器的平滑時間</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>其他種類的項目</translation>
+    </message>
+    <message>
+        <source>something went wrong within the program (%1).</source>
+        <translation>程式內部發生錯誤（%1）。</translation>
+    </message>
+    <message>
+        <source>speed of drying</source>
+        <translation>乾燥的速度</translation>
+    </message>
+    <message>
+        <source>strata that give more light than they get</source>
+        <translation>顏料層（射出的光多於射入的光）</translation>
+    </message>
+    <message>
+        <source>strength of the fan</source>
+        <translation>風扇的強度</translation>
+    </message>
+    <message>
+        <source>strength of the paint</source>
+        <translation>顏料的濃度</translation>
+    </message>
+    <message>
+        <source>string of the stabiliser</source>
+        <translation>穩定器的拉繩長度</translation>
+    </message>
+    <message>
+        <source>stroke format</source>
+        <translation>筆觸格式</translation>
+    </message>
+    <message>
+        <source>support relief</source>
+        <translation>基底材起伏</translation>
+    </message>
+    <message>
+        <source>table fading</source>
+        <translation>桌面的淡出</translation>
+    </message>
+    <message>
+        <source>table height</source>
+        <translation>桌面的高度</translation>
+    </message>
+    <message>
+        <source>table radius</source>
+        <translation>桌面的半徑</translation>
+    </message>
+    <message>
+        <source>table reflectance</source>
+        <translation>桌面的反射率</translation>
+    </message>
+    <message>
+        <source>tank format</source>
+        <translation>水槽格式</translation>
+    </message>
+    <message>
+        <source>tank wall</source>
+        <translation>水槽壁</translation>
+    </message>
+    <message>
+        <source>tea format</source>
+        <translation>奶茶格式</translation>
+    </message>
+    <message>
+        <source>tells of strokes that are later than the painting.</source>
+        <translation>含有比畫作更晚的筆觸。</translation>
+    </message>
+    <message>
+        <source>the %1 &quot;%2&quot; is not a whole number from 0 to 255.</source>
+        <translation>%1「%2」不是 0 到 255 的整數。</translation>
+    </message>
+    <message>
+        <source>the %1 %2 is not a number.</source>
+        <translation>%1 %2 不是數字。</translation>
+    </message>
+    <message>
+        <source>the %1 %2 is not between -1e7 and 1e7.</source>
+        <translation>%1 %2 不在 -1e7 和 1e7 之間。</translation>
+    </message>
+    <message>
+        <source>the %1 has %2 bytes, but at most %3 are kept.</source>
+        <translation>%1有 %2 位元組，但最多只保留 %3 位元組。</translation>
+    </message>
+    <message>
+        <source>the %1 has %2 x %3 cells, but %4 x %5 of another size are expected.</source>
+        <translation>%1有 %2 x %3 格，但應為 %4 x %5 格，且格的大小須相符。</translation>
+    </message>
+    <message>
+        <source>the %1 in %2 is %3, but must lie between %4 and %5.</source>
+        <translation>%1（%2）為 %3，但必須介於 %4 和 %5 之間。</translation>
+    </message>
+    <message>
+        <source>the %1 is %2, but must lie between %3 and %4.</source>
+        <translation>%1為 %2，但必須介於 %3 和 %4 之間。</translation>
+    </message>
+    <message>
+        <source>the %1 is missing.</source>
+        <translation>缺少%1。</translation>
+    </message>
+    <message>
+        <source>the active layer is none.</source>
+        <translation>使用中的圖層不存在。</translation>
+    </message>
+    <message>
+        <source>the area is empty.</source>
+        <translation>這個區域是空的。</translation>
+    </message>
+    <message>
+        <source>the brush &quot;%1&quot;</source>
+        <translation>筆刷「%1」</translation>
+    </message>
+    <message>
+        <source>the brush %1 is told of only in part.</source>
+        <translation>%1的筆刷只有部分資料。</translation>
+    </message>
+    <message>
+        <source>the disk is full; make room on it, or choose another place</source>
+        <translation>磁碟已滿；請清出空間，或選擇別的位置</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deep.</source>
+        <translation>元素的巢狀太深。</translation>
+    </message>
+    <message>
+        <source>the entry &quot;%1&quot; is missing.</source>
+        <translation>缺少項目「%1」。</translation>
+    </message>
+    <message>
+        <source>the field &quot;%1&quot; is missing.</source>
+        <translation>缺少欄位「%1」。</translation>
+    </message>
+    <message>
+        <source>the file ends here, before &quot;endsolid&quot;.</source>
+        <translation>檔案在此結束，缺少「endsolid」。</translation>
+    </message>
+    <message>
+        <source>the file ends here, within the head of an STL file.</source>
+        <translation>檔案在此結束，STL 檔案的標頭不完整。</translation>
+    </message>
+    <message>
+        <source>the groups within &quot;%1&quot; become part of it.</source>
+        <translation>「%1」中的群組併入其中。</translation>
+    </message>
+    <message>
+        <source>the heading is &quot;%1&quot; instead of &quot;%2&quot;.</source>
+        <translation>標題是「%1」，而不是「%2」。</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is hidden.</source>
+        <translation>圖層「%1」已隱藏。</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is in a group already.</source>
+        <translation>圖層「%1」已在群組中。</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is locked.</source>
+        <translation>圖層「%1」已鎖定。</translation>
+    </message>
+    <message>
+        <source>the layers are too large in all.</source>
+        <translation>所有圖層合計太大。</translation>
+    </message>
+    <message>
+        <source>the layers of a group do not lie next to each other.</source>
+        <translation>同一群組的圖層沒有相鄰。</translation>
+    </message>
+    <message>
+        <source>the medium</source>
+        <translation>媒材</translation>
+    </message>
+    <message>
+        <source>the palette has %1, yours %2.</source>
+        <translation>調色盤中有 %1；你自己的有 %2。</translation>
+    </message>
+    <message>
+        <source>the palette has %1.</source>
+        <translation>調色盤中有 %1。</translation>
+    </message>
+    <message>
+        <source>the pen touches the canvas with no brush in hand.</source>
+        <translation>筆碰到畫布時，手上沒有筆刷。</translation>
+    </message>
+    <message>
+        <source>the pen touches the mixing well with no brush in hand.</source>
+        <translation>筆碰到調色槽時，手上沒有筆刷。</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>圖片</translation>
+    </message>
+    <message>
+        <source>the picture %1</source>
+        <translation>圖片%1</translation>
+    </message>
+    <message>
+        <source>the picture is no base64.</source>
+        <translation>圖片不是 base64。</translation>
+    </message>
+    <message>
+        <source>the pictures of this recording are too large; at most 500 million pixels in all are read.</source>
+        <translation>這個錄製檔中的圖片太大；總共最多只能讀取 5 億像素。</translation>
+    </message>
+    <message>
+        <source>the pigment has no name.</source>
+        <translation>顏料沒有名稱。</translation>
+    </message>
+    <message>
+        <source>the power</source>
+        <translation>功率</translation>
+    </message>
+    <message>
+        <source>the power %1 is negative.</source>
+        <translation>功率 %1 是負數。</translation>
+    </message>
+    <message>
+        <source>the preset</source>
+        <translation>這個筆刷預設</translation>
+    </message>
+    <message>
+        <source>the pressure %1 is not between 0 and 1.</source>
+        <translation>筆壓 %1 不在 0 和 1 之間。</translation>
+    </message>
+    <message>
+        <source>the size of the picture is missing.</source>
+        <translation>缺少圖片的大小。</translation>
+    </message>
+    <message>
+        <source>the system refuses this (%1).</source>
+        <translation>系統拒絕這項操作（%1）。</translation>
+    </message>
+    <message>
+        <source>the tick %1 is earlier than %2 before it.</source>
+        <translation>tick %1 早於前一個 %2。</translation>
+    </message>
+    <message>
+        <source>the tiles hold %1 bytes, which has to be the size and at most %2.</source>
+        <translation>這些區塊有 %1 位元組，必須等於此大小，且最多為 %2。</translation>
+    </message>
+    <message>
+        <source>the time %1 s is earlier than %2 s before it.</source>
+        <translation>時間 %1 s 早於前一個 %2 s。</translation>
+    </message>
+    <message>
+        <source>the time %1 s is not between 0 and 86400 s.</source>
+        <translation>時間 %1 s 不在 0 和 86400 s 之間。</translation>
+    </message>
+    <message>
+        <source>the wavelength</source>
+        <translation>波長</translation>
+    </message>
+    <message>
+        <source>the wavelength %1 nm is not greater than that of the line before.</source>
+        <translation>波長 %1 nm 沒有大於前一行的波長。</translation>
+    </message>
+    <message>
+        <source>their paint adds up to more than any canvas holds.</source>
+        <translation>其中的顏料合計超過任何畫布所能容納的量。</translation>
+    </message>
+    <message>
+        <source>there are %1 columns instead of %2.</source>
+        <translation>有 %1 欄，而不是 %2 欄。</translation>
+    </message>
+    <message>
+        <source>there are %1 paints, but only %2 have room.</source>
+        <translation>有 %1 種顏料，但只容得下 %2 種。</translation>
+    </message>
+    <message>
+        <source>there are %1 ticks for %2 samples.</source>
+        <translation>%2 個取樣點有 %1 個 tick。</translation>
+    </message>
+    <message>
+        <source>there are %1 tools instead of %2.</source>
+        <translation>有 %1 個工具，而不是 %2 個。</translation>
+    </message>
+    <message>
+        <source>there are more than %1 layers.</source>
+        <translation>圖層超過 %1 個。</translation>
+    </message>
+    <message>
+        <source>there are more than %1 triangles.</source>
+        <translation>三角形超過 %1 個。</translation>
+    </message>
+    <message>
+        <source>there are more than %1 vertices.</source>
+        <translation>頂點超過 %1 個。</translation>
+    </message>
+    <message>
+        <source>there cannot be a group %1.</source>
+        <translation>不能有群組 %1。</translation>
+    </message>
+    <message>
+        <source>there cannot be a layer %1.</source>
+        <translation>不能有圖層 %1。</translation>
+    </message>
+    <message>
+        <source>there is another run &quot;%1&quot;.</source>
+        <translation>已有另一個執行項目「%1」。</translation>
+    </message>
+    <message>
+        <source>there is no brush in hand to take paint with.</source>
+        <translation>手上沒有可以沾取顏料的筆刷。</translation>
+    </message>
+    <message>
+        <source>there is no field %1.</source>
+        <translation>沒有欄位 %1。</translation>
+    </message>
+    <message>
+        <source>there is no form &quot;%1&quot;; the forms are slab, box, disc, cap, gaussian, cosine, noise and image.</source>
+        <translation>沒有形式「%1」；可用的形式有 slab、box、disc、cap、gaussian、cosine、noise 和 image。</translation>
+    </message>
+    <message>
+        <source>there is no group %1 of layers.</source>
+        <translation>沒有圖層群組 %1。</translation>
+    </message>
+    <message>
+        <source>there is no group %1.</source>
+        <translation>沒有群組 %1。</translation>
+    </message>
+    <message>
+        <source>there is no kind of frame %1.</source>
+        <translation>沒有 %1 這種資料框。</translation>
+    </message>
+    <message>
+        <source>there is no layer %1.</source>
+        <translation>沒有圖層 %1。</translation>
+    </message>
+    <message>
+        <source>there is no layer below &quot;%1&quot; to merge it onto.</source>
+        <translation>「%1」下方沒有可以合併的圖層。</translation>
+    </message>
+    <message>
+        <source>there is no medium in hand.</source>
+        <translation>手上沒有媒材。</translation>
+    </message>
+    <message>
+        <source>there is no place %1 for a layer; the highest is %2.</source>
+        <translation>圖層沒有位置 %1；最高的位置是 %2。</translation>
+    </message>
+    <message>
+        <source>there is no such entry as &quot;%1&quot; here.</source>
+        <translation>此處沒有「%1」這個項目。</translation>
+    </message>
+    <message>
+        <source>there is no such kind of tiles as &quot;%1&quot;.</source>
+        <translation>沒有「%1」這種區塊。</translation>
+    </message>
+    <message>
+        <source>there is no support &quot;%1&quot;; the supports are flat, %2, weave, image, ramp and bump.</source>
+        <translation>沒有基底材「%1」；可用的基底材有 flat、%2、weave、image、ramp 和 bump。</translation>
+    </message>
+    <message>
+        <source>there is no surface &quot;%1&quot;; a stroke is on the &quot;canvas&quot; or the &quot;well&quot;.</source>
+        <translation>沒有表面「%1」；筆觸在「canvas」或「well」上。</translation>
+    </message>
+    <message>
+        <source>there is no visible layer to flatten.</source>
+        <translation>沒有可以平面化的可見圖層。</translation>
+    </message>
+    <message>
+        <source>there is no way &quot;%1&quot; to select; they are replace, add, subtract and intersect.</source>
+        <translation>沒有「%1」這種選取方式；可用的有 replace、add、subtract 和 intersect。</translation>
+    </message>
+    <message>
+        <source>this is no journal of a painting.</source>
+        <translation>這不是畫作的日誌。</translation>
+    </message>
+    <message>
+        <source>this is no list of layers; it would begin with &lt;image&gt;.</source>
+        <translation>這不是圖層清單；開頭應為 &lt;image&gt;。</translation>
+    </message>
+    <message>
+        <source>this is no painting of Pastoso; it would begin with &quot;format&quot;: &quot;pastoso-project&quot;.</source>
+        <translation>這不是 Pastoso 的畫作；開頭應為 &quot;format&quot;: &quot;pastoso-project&quot;。</translation>
+    </message>
+    <message>
+        <source>this is not %1; it would begin with &quot;format&quot;: &quot;%2&quot;.</source>
+        <translation>這不是%1；開頭應為 &quot;format&quot;: &quot;%2&quot;。</translation>
+    </message>
+    <message>
+        <source>this is not a GIMP palette; it would begin with &quot;GIMP Palette&quot;.</source>
+        <translation>這不是 GIMP 調色盤；它應以「GIMP Palette」開頭。</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON: %1.</source>
+        <translation>這不是有效的 JSON：%1。</translation>
+    </message>
+    <message>
+        <source>this is not valid XML (%1).</source>
+        <translation>這不是有效的 XML（%1）。</translation>
+    </message>
+    <message>
+        <source>this makes %1 cells; 1 to %2 are possible.</source>
+        <translation>這樣會有 %1 格；可為 1 到 %2 格。</translation>
+    </message>
+    <message>
+        <source>this must be an object in braces.</source>
+        <translation>這必須是大括號內的物件。</translation>
+    </message>
+    <message>
+        <source>this paint</source>
+        <translation>這個顏料</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (%1 %2; this program reads up to %3).</source>
+        <translation>這是由較新的 Pastoso 寫入的（%1 %2；本程式最多讀到 %3）。</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (journal format %1; this program reads up to %2).</source>
+        <translation>這是由較新的 Pastoso 寫入的（日誌格式 %1；本程式最多讀到 %2）。</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Pastoso (project format %1; this program reads up to %2).</source>
+        <translation>這是由較新的 Pastoso 寫入的（畫作格式 %1；本程式最多讀到 %2）。</translation>
+    </message>
+    <message>
+        <source>tile %1 comes twice.</source>
+        <translation>區塊 %1 出現兩次。</translation>
+    </message>
+    <message>
+        <source>tile %1 moves as no paint can.</source>
+        <translation>區塊 %1 的流動方式是任何顏料都不會有的。</translation>
+    </message>
+    <message>
+        <source>tile %1 moves, but there is no &quot;window&quot; that it started from.</source>
+        <translation>區塊 %1 在流動，但缺少其起始的「window」。</translation>
+    </message>
+    <message>
+        <source>tile %1 sleeps, and yet its motion is followed.</source>
+        <translation>區塊 %1 在休眠，卻記錄了它的流動。</translation>
+    </message>
+    <message>
+        <source>tilt of the canvas</source>
+        <translation>畫布的傾斜角度</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>time of the pen</source>
+        <translation>筆的時間</translation>
+    </message>
+    <message>
+        <source>touch_dry_s is %1, it must not be larger than typical_thickness_mm times %2.</source>
+        <translation>touch_dry_s 為 %1，不能大於 typical_thickness_mm 乘以 %2。</translation>
+    </message>
+    <message>
+        <source>trace settings: a side of the picture is %1, but must be from 1 to 16384 pixels.</source>
+        <translation>追蹤設定：圖片的一邊為 %1，但必須是 1 到 16384 像素。</translation>
+    </message>
+    <message>
+        <source>trace settings: brightest is %1, but must be above 0 and finite.</source>
+        <translation>追蹤設定：brightest 為 %1，但必須是大於 0 的有限值。</translation>
+    </message>
+    <message>
+        <source>trace settings: most_events is %1, but must be at least 1.</source>
+        <translation>追蹤設定：most_events 為 %1，但必須至少為 1。</translation>
+    </message>
+    <message>
+        <source>transform&apos;s centre</source>
+        <translation>變形中心</translation>
+    </message>
+    <message>
+        <source>transform&apos;s move</source>
+        <translation>變形位移</translation>
+    </message>
+    <message>
+        <source>transform&apos;s scale</source>
+        <translation>變形比例</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true 或 false</translation>
+    </message>
+    <message>
+        <source>turn of the ellipse</source>
+        <translation>橢圓的旋轉角度</translation>
+    </message>
+    <message>
+        <source>turn of the transform</source>
+        <translation>變形的旋轉角度</translation>
+    </message>
+    <message>
+        <source>variation of the share</source>
+        <translation>比例的變化量</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>第 %1 版</translation>
+    </message>
+    <message>
+        <source>versions %1 to %2</source>
+        <translation>第 %1 到 %2 版</translation>
+    </message>
+    <message>
+        <source>volume of the squeezed paint</source>
+        <translation>擠出顏料的體積</translation>
+    </message>
+    <message>
+        <source>were painted with an earlier version of the program (arithmetic %1, now %2): replayed, they come out a little differently.</source>
+        <translation>是以較早版本的程式繪製的（運算 %1，現為 %2）：重播時，結果會略有不同。</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>寬度</translation>
+    </message>
+    <message>
+        <source>width of the brush</source>
+        <translation>筆刷的寬度</translation>
+    </message>
+    <message>
+        <source>width of the new canvas</source>
+        <translation>新畫布的寬度</translation>
+    </message>
+    <message>
+        <source>width of the picture</source>
+        <translation>圖片的寬度</translation>
+    </message>
+    <message>
+        <source>window radiance</source>
+        <translation>窗的輻射亮度</translation>
+    </message>
+    <message>
+        <source>window radius</source>
+        <translation>窗的半徑</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>x of the %1</source>
+        <translation>%1的 x 值</translation>
+    </message>
+    <message>
+        <source>x of the centre of the symmetry</source>
+        <translation>對稱中心的 x 座標</translation>
+    </message>
+    <message>
+        <source>x of the fan</source>
+        <translation>風扇的 x 座標</translation>
+    </message>
+    <message>
+        <source>x of the new canvas</source>
+        <translation>新畫布的 x 座標</translation>
+    </message>
+    <message>
+        <source>x of the pen</source>
+        <translation>筆的 x 座標</translation>
+    </message>
+    <message>
+        <source>x of the picture</source>
+        <translation>圖片的 x 座標</translation>
+    </message>
+    <message>
+        <source>x of the squeezed paint</source>
+        <translation>擠出顏料的 x 座標</translation>
+    </message>
+    <message>
+        <source>x tilt of the pen</source>
+        <translation>筆的 x 傾斜角度</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>y of the %1</source>
+        <translation>%1的 y 值</translation>
+    </message>
+    <message>
+        <source>y of the centre of the symmetry</source>
+        <translation>對稱中心的 y 座標</translation>
+    </message>
+    <message>
+        <source>y of the fan</source>
+        <translation>風扇的 y 座標</translation>
+    </message>
+    <message>
+        <source>y of the new canvas</source>
+        <translation>新畫布的 y 座標</translation>
+    </message>
+    <message>
+        <source>y of the pen</source>
+        <translation>筆的 y 座標</translation>
+    </message>
+    <message>
+        <source>y of the picture</source>
+        <translation>圖片的 y 座標</translation>
+    </message>
+    <message>
+        <source>y of the squeezed paint</source>
+        <translation>擠出顏料的 y 座標</translation>
+    </message>
+    <message>
+        <source>y tilt of the pen</source>
+        <translation>筆的 y 傾斜角度</translation>
+    </message>
+    <message>
+        <source>yellowing</source>
+        <translation>泛黃程度</translation>
+    </message>
+    <message>
+        <source>your share of the disk is used up; make room on it, or choose another place</source>
+        <translation>你的磁碟配額已用完；請清出空間，或選擇別的位置</translation>
+    </message>
+    <message>
+        <source>difference of the colour</source>
+        <translation>顏色差異</translation>
+    </message>
+    <message>
+        <source>gradient&apos;s point</source>
+        <translation>漸層的點</translation>
+    </message>
+    <message>
+        <source>length of the gradient&apos;s line</source>
+        <translation>漸層線的長度</translation>
+    </message>
+    <message>
+        <source>no paint has been copied that could be pasted.</source>
+        <translation>尚未複製任何可以貼上的顏料。</translation>
+    </message>
+    <message>
+        <source>number of points of the gradient&apos;s line</source>
+        <translation>漸層線的點數</translation>
+    </message>
+    <message>
+        <source>number of quarter turns</source>
+        <translation>四分之一圈的次數</translation>
+    </message>
+    <message>
+        <source>outline&apos;s point</source>
+        <translation>輪廓的點</translation>
+    </message>
+    <message>
+        <source>there is no visible layer to copy.</source>
+        <translation>沒有可以複製的可見圖層。</translation>
+    </message>
+    <message>
+        <source>thickness of the film</source>
+        <translation>薄膜的厚度</translation>
+    </message>
+    <message>
+        <source>way from where it was copied</source>
+        <translation>與複製位置的距離</translation>
+    </message>
+    <message>
+        <source>width of the margin</source>
+        <translation>邊緣的寬度</translation>
+    </message>
+    <message>
+        <source>x of the colour&apos;s place</source>
+        <translation>顏色位置的 x</translation>
+    </message>
+    <message>
+        <source>y of the colour&apos;s place</source>
+        <translation>顏色位置的 y</translation>
+    </message>
+    <message>
+        <source>%1: is no bundle of tools; it has no %2.</source>
+        <translation>%1：不是工具包；缺少 %2。</translation>
+    </message>
+    <message>
+        <source>name is &quot;%1&quot;, which another tool of the bundle has already.</source>
+        <translation>name 是「%1」，工具包中已有另一個工具使用。</translation>
+    </message>
+    <message>
+        <source>there are %1 tools, more than %2.</source>
+        <translation>有 %1 個工具，超過 %2 個。</translation>
+    </message>
+    <message>
+        <source>copied paint</source>
+        <translation>複製的顏料</translation>
+    </message>
+</context>
+<context>
     <name>ExamplePaintings</name>
     <message>
         <source>Still life</source>
@@ -557,6 +3240,14 @@
         <source>About Pastoso</source>
         <translation>關於 Pastoso</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>編輯</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>最愛</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -619,6 +3310,13 @@
     <message>
         <source>Abort</source>
         <translation>中止</translation>
+    </message>
+</context>
+<context>
+    <name>SelectionMargins</name>
+    <message>
+        <source>Width</source>
+        <translation>寬度</translation>
     </message>
 </context>
 <context>
@@ -982,6 +3680,178 @@
     <message>
         <source>Oil thinned with turpentine for the first lay-in: streaky, it settles into the weave and runs when tilted.</source>
         <translation>以松節油稀釋、用於起稿的油彩：帶條痕，沉入布紋，傾斜時流動。</translation>
+    </message>
+    <message>
+        <source>Width of the tip.</source>
+        <translation>筆尖的寬度。</translation>
+    </message>
+    <message>
+        <source>Thickness of the tip; a round one is as thick as it is wide.</source>
+        <translation>筆尖的厚度；圓形的厚度與寬度相同。</translation>
+    </message>
+    <message>
+        <source>Length of the free hairs.</source>
+        <translation>露出筆毛的長度。</translation>
+    </message>
+    <message>
+        <source>How much shorter the outermost hairs are; at most the length.</source>
+        <translation>最外側的筆毛短多少；最多等於筆毛長度。</translation>
+    </message>
+    <message>
+        <source>Elements that the tip is made of.</source>
+        <translation>組成筆尖的單元數。</translation>
+    </message>
+    <message>
+        <source>Fine streaks within one element.</source>
+        <translation>每個單元中的細紋數。</translation>
+    </message>
+    <message>
+        <source>Makes one piece differ from the next.</source>
+        <translation>讓每一支彼此不同。</translation>
+    </message>
+    <message>
+        <source>How far a bent hair trails behind the hand.</source>
+        <translation>彎曲的筆毛落後手部多遠。</translation>
+    </message>
+    <message>
+        <source>How far the hairs spread at full pressure.</source>
+        <translation>全壓力時筆毛散開的程度。</translation>
+    </message>
+    <message>
+        <source>How long the hairs trail after a turn.</source>
+        <translation>轉向後筆毛拖曳多久。</translation>
+    </message>
+    <message>
+        <source>Way of the ferrule at full pressure, in hair lengths.</source>
+        <translation>全壓力時金屬箍下降的距離，以筆毛長度計。</translation>
+    </message>
+    <message>
+        <source>How much a lean lowers one side.</source>
+        <translation>傾斜時一側下降多少。</translation>
+    </message>
+    <message>
+        <source>How steeply hairs follow the weave down: little gives dry brush.</source>
+        <translation>筆毛順著布紋下降的陡度：小則成乾筆。</translation>
+    </message>
+    <message>
+        <source>0: every hair for itself, 1: one stiff edge.</source>
+        <translation>0：筆毛各自活動，1：一道硬邊。</translation>
+    </message>
+    <message>
+        <source>How far wet paint carries it in a light hand, off the ground.</source>
+        <translation>輕手時濕顏料將它托離底面的程度。</translation>
+    </message>
+    <message>
+        <source>Wet film that a full brush leaves.</source>
+        <translation>蘸滿的筆刷留下的濕膜。</translation>
+    </message>
+    <message>
+        <source>Stroke that a full load lasts.</source>
+        <translation>蘸滿一次能畫的筆觸長度。</translation>
+    </message>
+    <message>
+        <source>Ridges between bristles, in films.</source>
+        <translation>鬃毛之間的隆起，以膜厚計。</translation>
+    </message>
+    <message>
+        <source>Streaks of single hairs, in films.</source>
+        <translation>單根筆毛的細紋，以膜厚計。</translation>
+    </message>
+    <message>
+        <source>Difference from bristle to bristle.</source>
+        <translation>鬃毛之間的差異。</translation>
+    </message>
+    <message>
+        <source>How far each dip gathers the hairs anew; 0: never.</source>
+        <translation>每次蘸取時筆毛重新聚攏的程度；0：從不。</translation>
+    </message>
+    <message>
+        <source>Extra film along the edges, in films.</source>
+        <translation>邊緣多出的膜，以膜厚計。</translation>
+    </message>
+    <message>
+        <source>Extra film where the stroke starts.</source>
+        <translation>筆觸起點多出的膜。</translation>
+    </message>
+    <message>
+        <source>Share of the load that stays on lifting.</source>
+        <translation>提筆時留下的顏料比例。</translation>
+    </message>
+    <message>
+        <source>Depth that hanging paint bridges, in films.</source>
+        <translation>懸垂的顏料能跨越的深度，以膜厚計。</translation>
+    </message>
+    <message>
+        <source>Share of the paint in the way that is taken up.</source>
+        <translation>帶起途中顏料的比例。</translation>
+    </message>
+    <message>
+        <source>How fast it mixes with the paint below.</source>
+        <translation>與下方顏料混合的速度。</translation>
+    </message>
+    <message>
+        <source>Exchange between neighbouring hairs.</source>
+        <translation>相鄰筆毛之間的交換。</translation>
+    </message>
+    <message>
+        <source>How far a fast stroke drags paint along and ploughs it aside.</source>
+        <translation>快速筆觸拖動並推開顏料的程度。</translation>
+    </message>
+    <message>
+        <source>Fill above which paint is pushed out sideways.</source>
+        <translation>超過此含量時顏料會被擠向兩側。</translation>
+    </message>
+    <message>
+        <source>Step, in radii of an element.</source>
+        <translation>步長，以單元半徑計。</translation>
+    </message>
+    <message>
+        <source>Least step.</source>
+        <translation>最小步長。</translation>
+    </message>
+    <message>
+        <source>Time over which the hand is steadied.</source>
+        <translation>穩定手部的時間。</translation>
+    </message>
+    <message>
+        <source>Length of the string that pulls the tip.</source>
+        <translation>拉動筆尖的繩子長度。</translation>
+    </message>
+    <message>
+        <source>Mean volume of a drop.</source>
+        <translation>一滴的平均體積。</translation>
+    </message>
+    <message>
+        <source>How much drops differ.</source>
+        <translation>各滴之間的差異。</translation>
+    </message>
+    <message>
+        <source>Paint let go while the pen is down.</source>
+        <translation>筆落下時放出的顏料。</translation>
+    </message>
+    <message>
+        <source>A drop let go when the pen comes down.</source>
+        <translation>落筆時放出的一滴。</translation>
+    </message>
+    <message>
+        <source>What the bottle holds.</source>
+        <translation>瓶子的容量。</translation>
+    </message>
+    <message>
+        <source>Height over radius of a drop that has landed.</source>
+        <translation>落下液滴的高度與半徑之比。</translation>
+    </message>
+    <message>
+        <source>0: evenly over the width, 1: thickest in the middle.</source>
+        <translation>0：均勻分布於寬度，1：中間最厚。</translation>
+    </message>
+    <message>
+        <source>Time that drops fly on with the speed of the tip.</source>
+        <translation>液滴以筆尖速度繼續飛行的時間。</translation>
+    </message>
+    <message>
+        <source>Pressure in the middle of the jet.</source>
+        <translation>氣流中心的壓力。</translation>
     </message>
 </context>
 <context>
@@ -2334,6 +5204,218 @@
         <source>The layers as pictures for other programs, in OpenRaster or PSD</source>
         <translation>將圖層以圖片形式存成 OpenRaster 或 PSD，供其他程式使用</translation>
     </message>
+    <message>
+        <source>&amp;Image</source>
+        <translation>影像(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>剪下(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Copy the layer&apos;s paint, or what is selected of it, and wipe it off</source>
+        <translation>複製圖層的顏料或其選取部分，並將其擦去</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>複製(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Keep the layer&apos;s paint, or what is selected of it, to be pasted: wet as it is, and as a picture for other programs</source>
+        <translation>保留圖層的顏料或其選取部分以供貼上：濕潤如故，對其他程式則為圖片</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y merged</source>
+        <translation>合併複製(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>The same of all layers that are visible, as if they were one</source>
+        <translation>對所有可見圖層做同樣的事，如同一層</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>貼上(&amp;P)</translation>
+    </message>
+    <message>
+        <source>What was copied as a new layer: paint where it was, or a picture of another program as dry paint</source>
+        <translation>將複製的內容作為新圖層：顏料在原處，其他程式的圖片則為乾顏料</translation>
+    </message>
+    <message>
+        <source>Paste &amp;at cursor</source>
+        <translation>貼上於游標處(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The same, with the middle of the copied paint where the pointer is</source>
+        <translation>同上，但複製的顏料以游標處為中心</translation>
+    </message>
+    <message>
+        <source>Mirror image &amp;horizontally</source>
+        <translation>水平鏡射影像(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Left and right of the whole painting change places, canvas and all</source>
+        <translation>整幅畫的左右連同畫布一起對調</translation>
+    </message>
+    <message>
+        <source>Mirror image &amp;vertically</source>
+        <translation>垂直鏡射影像(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Top and bottom of the whole painting change places, canvas and all</source>
+        <translation>整幅畫的上下連同畫布一起對調</translation>
+    </message>
+    <message>
+        <source>Rotate image 90° to the &amp;right</source>
+        <translation>向右旋轉影像 90°(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its right side</source>
+        <translation>整幅畫以右側為底立起</translation>
+    </message>
+    <message>
+        <source>Rotate image 90° to the &amp;left</source>
+        <translation>向左旋轉影像 90°(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its left side</source>
+        <translation>整幅畫以左側為底立起</translation>
+    </message>
+    <message>
+        <source>Rotate image &amp;180°</source>
+        <translation>旋轉影像 180°(&amp;1)</translation>
+    </message>
+    <message>
+        <source>The whole painting stands on its head</source>
+        <translation>整幅畫上下顛倒</translation>
+    </message>
+    <message>
+        <source>F&amp;ill with the paint in hand</source>
+        <translation>以手上的顏料填滿(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Pour an even film of wet paint over what is selected, or over the whole canvas</source>
+        <translation>在選取範圍或整張畫布上倒上一層均勻的濕顏料</translation>
+    </message>
+    <message>
+        <source>Fill with the s&amp;econd paint</source>
+        <translation>以第二種顏料填滿(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Pour an even film of the second paint over what is selected</source>
+        <translation>在選取範圍倒上一層均勻的第二種顏料</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient of the two paints</source>
+        <translation>兩種顏料的漸層(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Drag a line: the film goes from the paint in hand to the second one along it</source>
+        <translation>拖曳一條線：顏料沿著線從手上的顏料漸變為第二種</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness of fills...</source>
+        <translation>填滿的厚度(&amp;T)...</translation>
+    </message>
+    <message>
+        <source>How thick a film of paint fills and gradients pour</source>
+        <translation>填滿與漸層倒上的顏料有多厚</translation>
+    </message>
+    <message>
+        <source>Elli&amp;pse</source>
+        <translation>橢圓(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Drag an ellipse that tools keep to; Shift adds, Alt takes away, Ctrl makes a circle</source>
+        <translation>拖曳出工具可作用的橢圓範圍；Shift 增加，Alt 減去，Ctrl 畫圓</translation>
+    </message>
+    <message>
+        <source>Pol&amp;ygon</source>
+        <translation>多邊形(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Click the corners of what tools keep to; Enter or a double click closes it</source>
+        <translation>按一下工具可作用範圍的各個角；Enter 或按兩下即可封閉</translation>
+    </message>
+    <message>
+        <source>&amp;Contiguous colour</source>
+        <translation>相連的顏色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Click a colour: what hangs together there is selected; drag for more or less of it</source>
+        <translation>按一下顏色：選取那裡相連的部分；拖曳可增減範圍</translation>
+    </message>
+    <message>
+        <source>&amp;Similar colour</source>
+        <translation>相似的顏色(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Click a colour: it is selected wherever it is; drag for more or less of it</source>
+        <translation>按一下顏色：選取各處的這種顏色；拖曳可增減範圍</translation>
+    </message>
+    <message>
+        <source>&amp;Grow...</source>
+        <translation>擴張(&amp;G)...</translation>
+    </message>
+    <message>
+        <source>Make the selection wider on all sides</source>
+        <translation>讓選取範圍向四周變寬</translation>
+    </message>
+    <message>
+        <source>Shri&amp;nk...</source>
+        <translation>縮減(&amp;N)...</translation>
+    </message>
+    <message>
+        <source>Make the selection narrower on all sides</source>
+        <translation>讓選取範圍從四周變窄</translation>
+    </message>
+    <message>
+        <source>&amp;Border...</source>
+        <translation>邊框(&amp;B)...</translation>
+    </message>
+    <message>
+        <source>Select a band along the outline of the selection</source>
+        <translation>選取沿著選取範圍外框線的帶狀區域</translation>
+    </message>
+    <message>
+        <source>&amp;From the layer</source>
+        <translation>從圖層(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Select where the layer has paint, wet or dry</source>
+        <translation>選取圖層上有顏料的地方，不論乾濕</translation>
+    </message>
+    <message>
+        <source>Brush e&amp;ditor...</source>
+        <translation>筆刷編輯器(&amp;D)...</translation>
+    </message>
+    <message>
+        <source>Every number of the tool in hand, and the stroke that it paints</source>
+        <translation>手上工具的每個數值，以及它畫出的筆觸</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>最愛(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Keep the tool in hand among your favourites, which the list can show alone</source>
+        <translation>將手上的工具存入最愛，清單可只顯示最愛</translation>
+    </message>
+    <message>
+        <source>&amp;Import tools...</source>
+        <translation>匯入工具(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>Add the tools of a bundle to your own</source>
+        <translation>將套件中的工具加入自己的工具</translation>
+    </message>
+    <message>
+        <source>E&amp;xport my tools...</source>
+        <translation>匯出我的工具(&amp;X)...</translation>
+    </message>
+    <message>
+        <source>Write all tools of your own into a bundle, a file to keep or to give away</source>
+        <translation>將自己的所有工具寫入一個套件檔，可保存或分享</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -2360,26 +5442,6 @@
     <message>
         <source>A solid of %1 × %2 mm; its front has %3 × %4 points, %5 mm apart.</source>
         <translation>%1 × %2 mm 的實體；正面有 %3 × %4 個點，間距 %5 mm。</translation>
-    </message>
-    <message>
-        <source>%1 is a file; numbered pictures go into a folder.</source>
-        <translation>%1 是檔案；連號圖片需要放在資料夾裡。</translation>
-    </message>
-    <message>
-        <source>The folder %1 holds the frames of another time-lapse; name another one.</source>
-        <translation>資料夾 %1 裡已有另一段縮時影片的影格；請換個名稱。</translation>
-    </message>
-    <message>
-        <source>Nothing has been painted yet that a film could show.</source>
-        <translation>還沒有畫任何東西，無法製作影片。</translation>
-    </message>
-    <message>
-        <source>The file needs a name.</source>
-        <translation>檔案需要名稱。</translation>
-    </message>
-    <message>
-        <source>There is no folder %1.</source>
-        <translation>沒有資料夾 %1。</translation>
     </message>
     <message numerus="yes">
         <source>%1 of painting become %2 of film: %n frame(s) of %3 × %4 pixels.</source>
@@ -2858,6 +5920,13 @@
     <message>
         <source>Forget my own</source>
         <translation>清除自訂按鍵</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::LengthDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
 </context>
 <context>
@@ -3389,6 +6458,14 @@
     <message>
         <source>Place of the traced picture</source>
         <translation>底圖的位置</translation>
+    </message>
+    <message>
+        <source>Paint pasted</source>
+        <translation>已貼上顏料</translation>
+    </message>
+    <message>
+        <source>Filled with paint</source>
+        <translation>以顏料填滿</translation>
     </message>
 </context>
 <context>
@@ -4557,6 +7634,43 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::BrushBundles</name>
+    <message>
+        <source>Import tools</source>
+        <translation>匯入工具</translation>
+    </message>
+    <message>
+        <source>Bundles of tools (*.zip)</source>
+        <translation>工具套件 (*.zip)</translation>
+    </message>
+    <message>
+        <source>You have all tools of that bundle already.</source>
+        <translation>您已有該套件中的所有工具。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tool(s) added to your own.</source>
+        <translation>
+            <numerusform>已將 %n 個工具加入您自己的工具。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>You have no tools of your own yet; save the one in hand first.</source>
+        <translation>您還沒有自己的工具；請先儲存手上的工具。</translation>
+    </message>
+    <message>
+        <source>Export my tools</source>
+        <translation>匯出我的工具</translation>
+    </message>
+    <message>
+        <source>my-tools.zip</source>
+        <translation>my-tools.zip</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>已儲存 %1。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::BrushJar</name>
     <message>
         <source>%1 was read again; the next stroke is painted with it.</source>
@@ -4628,6 +7742,25 @@
     <message>
         <source>Meanwhile the canvas has become another one; that keeps its size.</source>
         <translation>畫布在此期間已換成另一張，其大小保持不變。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Clipboard</name>
+    <message>
+        <source>There is no paint to copy here.</source>
+        <translation>這裡沒有可複製的顏料。</translation>
+    </message>
+    <message>
+        <source>Copied; paste it as a layer, or as a picture in another program.</source>
+        <translation>已複製；可貼上為圖層，或在其他程式中貼上為圖片。</translation>
+    </message>
+    <message>
+        <source>Pasted</source>
+        <translation>貼上</translation>
+    </message>
+    <message>
+        <source>There is nothing to paste: no paint and no picture has been copied.</source>
+        <translation>沒有可貼上的內容：尚未複製顏料或圖片。</translation>
     </message>
 </context>
 <context>
@@ -4763,6 +7896,49 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::FillCommands</name>
+    <message>
+        <source>Nothing was poured. Esc again goes back to painting.</source>
+        <translation>沒有倒上任何顏料。再按一次 Esc 就回到作畫。</translation>
+    </message>
+    <message>
+        <source>Drag a line from the paint in hand to the second paint; Shift keeps it level, upright or halfway. Esc, or taking a tool, goes back to painting.</source>
+        <translation>從手上的顏料拖曳一條線到第二種顏料；Shift 讓線保持水平、垂直或 45 度。按 Esc 或拿起工具，就回到作畫。</translation>
+    </message>
+    <message>
+        <source>The brush paints again.</source>
+        <translation>筆刷可以繼續畫了。</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>正在播放錄製內容；結束後就能使用顏料。</translation>
+    </message>
+    <message>
+        <source>%1 mm of paint are poured over the whole canvas.</source>
+        <translation>在整張畫布上倒上 %1 mm 的顏料。</translation>
+    </message>
+    <message>
+        <source>%1 mm of paint are poured over what is selected.</source>
+        <translation>在選取範圍倒上 %1 mm 的顏料。</translation>
+    </message>
+    <message>
+        <source>Thickness of fills</source>
+        <translation>填滿的厚度</translation>
+    </message>
+    <message>
+        <source>Fills and gradients pour an even film of wet paint, as thick as this: 0.05 mm shows what lies below, 0.2 mm covers, 1 mm stands as a paste.</source>
+        <translation>填滿與漸層會倒上這麼厚的一層均勻濕顏料：0.05 mm 透出底下，0.2 mm 蓋住，1 mm 厚如膏狀。</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::GlassMode</name>
     <message>
         <source>Surfaces (*.pbrt *.obj *.ply *.stl)</source>
@@ -4853,6 +8029,13 @@
     <message>
         <source>%1: wait for it, or cancel it.</source>
         <translation>%1：請等它完成，或取消。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::Margin</name>
+    <message>
+        <source>Nothing would be left of the selection.</source>
+        <translation>選取範圍將不會剩下任何部分。</translation>
     </message>
 </context>
 <context>
@@ -5265,6 +8448,77 @@
     <message>
         <source>rectangle</source>
         <translation>矩形</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>橢圓</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>多邊形</translation>
+    </message>
+    <message>
+        <source>contiguous colour</source>
+        <translation>相連的顏色</translation>
+    </message>
+    <message>
+        <source>similar colour</source>
+        <translation>相似的顏色</translation>
+    </message>
+    <message>
+        <source>Click the colour that tools shall keep to; drag to the right for more, to the left for less of it. Shift adds, Alt takes away, both keep what is in both.</source>
+        <translation>按一下工具可作用的顏色；向右拖曳增加，向左拖曳減少。Shift 增加，Alt 減去，兩鍵同按保留重疊的部分。</translation>
+    </message>
+    <message>
+        <source>Click the corners of what tools shall keep to. Enter or a double click closes it, Backspace takes the last corner back, Esc gives it up.</source>
+        <translation>按一下工具可作用範圍的各個角。Enter 或按兩下即可封閉，Backspace 收回最後一個角，Esc 放棄。</translation>
+    </message>
+    <message>
+        <source>Colours that differ by up to %1. Drag to the right for more, to the left for less.</source>
+        <translation>色差在 %1 以內的顏色。向右拖曳增加，向左拖曳減少。</translation>
+    </message>
+    <message>
+        <source>Tools keep to colours that differ by up to %1 from the one there. Esc, or taking a tool, goes back to painting.</source>
+        <translation>工具只作用於與該處色差在 %1 以內的顏色。按 Esc 或拿起工具，就回到作畫。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::SelectionMargins</name>
+    <message>
+        <source>Grow the selection</source>
+        <translation>擴張選取範圍</translation>
+    </message>
+    <message>
+        <source>The selection becomes so much wider on all sides.</source>
+        <translation>選取範圍會向四周變寬這麼多。</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>擴張</translation>
+    </message>
+    <message>
+        <source>Shrink the selection</source>
+        <translation>縮減選取範圍</translation>
+    </message>
+    <message>
+        <source>The selection becomes so much narrower on all sides, but not along the edges of the canvas.</source>
+        <translation>選取範圍會從四周變窄這麼多，但沿著畫布邊緣處不變。</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>縮減</translation>
+    </message>
+    <message>
+        <source>Border of the selection</source>
+        <translation>選取範圍的邊框</translation>
+    </message>
+    <message>
+        <source>Selects a band so wide along the outline, half of it on either side.</source>
+        <translation>選取沿著外框線這麼寬的帶狀區域，兩側各一半。</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>選取</translation>
     </message>
 </context>
 <context>
@@ -5713,6 +8967,392 @@
     <message>
         <source>How far it has to run before it is loosened, in times its own thickness</source>
         <translation>需流動多遠才會鬆化，以自身厚度的倍數計</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>圓形</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>平筆</translation>
+    </message>
+    <message>
+        <source>filbert</source>
+        <translation>榛形</translation>
+    </message>
+    <message>
+        <source>fan</source>
+        <translation>扇形</translation>
+    </message>
+    <message>
+        <source>knife</source>
+        <translation>畫刀</translation>
+    </message>
+    <message>
+        <source>comb</source>
+        <translation>梳形</translation>
+    </message>
+    <message>
+        <source>soft pad</source>
+        <translation>軟墊</translation>
+    </message>
+    <message>
+        <source>used as it is</source>
+        <translation>直接使用</translation>
+    </message>
+    <message>
+        <source>dipped in paint</source>
+        <translation>蘸顏料</translation>
+    </message>
+    <message>
+        <source>stays on the tool</source>
+        <translation>留在工具上</translation>
+    </message>
+    <message>
+        <source>is thrown away</source>
+        <translation>丟棄</translation>
+    </message>
+    <message>
+        <source>another in each stroke</source>
+        <translation>每筆不同</translation>
+    </message>
+    <message>
+        <source>always the same</source>
+        <translation>永遠相同</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形狀</translation>
+    </message>
+    <message>
+        <source>How the elements of the tip are arranged.</source>
+        <translation>筆尖單元的排列方式。</translation>
+    </message>
+    <message>
+        <source>Before use</source>
+        <translation>使用前</translation>
+    </message>
+    <message>
+        <source>A brush is dipped; a rag or a comb is used as it is.</source>
+        <translation>筆刷要蘸顏料；擦布或梳子直接使用。</translation>
+    </message>
+    <message>
+        <source>What it takes</source>
+        <translation>帶起之物</translation>
+    </message>
+    <message>
+        <source>A rag throws away what it takes up; it never comes back.</source>
+        <translation>擦布會丟棄帶起的顏料，不再回來。</translation>
+    </message>
+    <message>
+        <source>Chance</source>
+        <translation>隨機</translation>
+    </message>
+    <message>
+        <source>Small random differences, such as where drops fall.</source>
+        <translation>小的隨機差異，例如液滴落在何處。</translation>
+    </message>
+    <message>
+        <source>%1 From %2 to %3%4.</source>
+        <translation>%1從 %2 到 %3%4。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>寬度</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>Hair length</source>
+        <translation>筆毛長度</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>尖度</translation>
+    </message>
+    <message>
+        <source>Bristles</source>
+        <translation>鬃毛</translation>
+    </message>
+    <message>
+        <source>Hairs in each</source>
+        <translation>每束筆毛</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>個體</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>彎曲</translation>
+    </message>
+    <message>
+        <source>Splay</source>
+        <translation>散開</translation>
+    </message>
+    <message>
+        <source>Trail</source>
+        <translation>拖曳</translation>
+    </message>
+    <message>
+        <source>Press depth</source>
+        <translation>下壓深度</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>傾斜</translation>
+    </message>
+    <message>
+        <source>Into the weave</source>
+        <translation>深入布紋</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>硬度</translation>
+    </message>
+    <message>
+        <source>Ride</source>
+        <translation>浮行</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>膜</translation>
+    </message>
+    <message>
+        <source>Lasts</source>
+        <translation>持續</translation>
+    </message>
+    <message>
+        <source>Grooves</source>
+        <translation>紋溝</translation>
+    </message>
+    <message>
+        <source>Hair streaks</source>
+        <translation>毛紋</translation>
+    </message>
+    <message>
+        <source>Uneven load</source>
+        <translation>蘸量不均</translation>
+    </message>
+    <message>
+        <source>Gathering</source>
+        <translation>聚攏</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>邊緣</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起點</translation>
+    </message>
+    <message>
+        <source>Stays behind</source>
+        <translation>留下</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>觸及深度</translation>
+    </message>
+    <message>
+        <source>Pickup</source>
+        <translation>帶起</translation>
+    </message>
+    <message>
+        <source>Mixing</source>
+        <translation>混合</translation>
+    </message>
+    <message>
+        <source>Wicking</source>
+        <translation>滲傳</translation>
+    </message>
+    <message>
+        <source> /mm</source>
+        <translation> /mm</translation>
+    </message>
+    <message>
+        <source>Dragging</source>
+        <translation>拖動</translation>
+    </message>
+    <message>
+        <source>Overflow</source>
+        <translation>溢出</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步長</translation>
+    </message>
+    <message>
+        <source>Least step</source>
+        <translation>最小步長</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> 毫秒</translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation>繩子</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>液滴</translation>
+    </message>
+    <message>
+        <source> mm³</source>
+        <translation> mm³</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>變化</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>流量</translation>
+    </message>
+    <message>
+        <source> mm³/s</source>
+        <translation> mm³/s</translation>
+    </message>
+    <message>
+        <source>First drop</source>
+        <translation>第一滴</translation>
+    </message>
+    <message>
+        <source>Bottle</source>
+        <translation>瓶子</translation>
+    </message>
+    <message>
+        <source>Steepness</source>
+        <translation>陡度</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>集中</translation>
+    </message>
+    <message>
+        <source>Throw</source>
+        <translation>拋灑</translation>
+    </message>
+    <message>
+        <source>Air pressure</source>
+        <translation>氣壓</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>筆尖</translation>
+    </message>
+    <message>
+        <source>Hairs</source>
+        <translation>筆毛</translation>
+    </message>
+    <message>
+        <source>Paint it leaves</source>
+        <translation>留下的顏料</translation>
+    </message>
+    <message>
+        <source>Paint it takes</source>
+        <translation>帶走的顏料</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>筆觸</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>液滴</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>空氣</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::BrushEditor</name>
+    <message>
+        <source>Brush editor</source>
+        <translation>筆刷編輯器</translation>
+    </message>
+    <message>
+        <source>A stroke of the tool in hand, pressed hardest in its middle</source>
+        <translation>手上工具的一筆，中段壓得最重</translation>
+    </message>
+    <message>
+        <source>The same stroke of the tool as it is saved</source>
+        <translation>已儲存工具的同一筆</translation>
+    </message>
+    <message>
+        <source>As saved</source>
+        <translation>已儲存</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Shows below the stroke of the tool as it is saved</source>
+        <translation>在下方顯示已儲存工具的筆觸</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>還原</translation>
+    </message>
+    <message>
+        <source>Takes back all changes of the tool in hand</source>
+        <translation>取消對手上工具的所有變更</translation>
+    </message>
+    <message>
+        <source>In hand</source>
+        <translation>手上</translation>
+    </message>
+    <message>
+        <source>Parts of the tool</source>
+        <translation>工具的各部分</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1（已變更）</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::BrushFinder</name>
+    <message>
+        <source>Which tools are listed</source>
+        <translation>清單顯示哪些工具</translation>
+    </message>
+    <message>
+        <source>Find a tool</source>
+        <translation>尋找工具</translation>
+    </message>
+    <message>
+        <source>A few letters of its name or of its family; Return takes the first</source>
+        <translation>名稱或類別的幾個字；按 Return 拿起第一個</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>最愛</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近使用</translation>
+    </message>
+    <message>
+        <source>My own</source>
+        <translation>自己的</translation>
     </message>
 </context>
 <context>
@@ -6765,6 +10405,13 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
 </context>
 <context>
+    <name>pastoso::panels::StrokeStrip</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::ThinningSlider</name>
     <message>
         <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
@@ -6845,6 +10492,33 @@ Drag: move the picture
     <message>
         <source>There is no OpenGL any more to draw the canvas with.</source>
         <translation>已沒有可用來繪製畫布的 OpenGL。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::screens</name>
+    <message>
+        <source>All commands and their keys</source>
+        <translation>所有指令與快速鍵</translation>
+    </message>
+    <message>
+        <source>In the order of the menus. &quot;Keys&quot; in the &quot;Settings&quot; menu changes them ([how](settings.md#keys)). This page is printed by the program; `packaging/screens.sh --manual` prints it anew.</source>
+        <translation>依選單的順序排列。可用「設定」選單中的「快速鍵」變更（[做法](settings.md#keys)）。此頁由程式輸出；`packaging/screens.sh --manual` 會重新輸出。</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>like Krita</source>
+        <translation>Krita 風格</translation>
+    </message>
+    <message>
+        <source>like Photoshop</source>
+        <translation>Photoshop 風格</translation>
+    </message>
+    <message>
+        <source>does</source>
+        <translation>作用</translation>
     </message>
 </context>
 <context>
@@ -7132,6 +10806,14 @@ Drag: move the picture
     <message>
         <source>Stroke in the mixing well</source>
         <translation>調色槽裡的筆觸</translation>
+    </message>
+    <message>
+        <source>Canvas mirrored</source>
+        <translation>畫布已鏡射</translation>
+    </message>
+    <message>
+        <source>Canvas turned</source>
+        <translation>畫布已旋轉</translation>
     </message>
 </context>
 </TS>

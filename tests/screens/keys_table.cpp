@@ -4,6 +4,7 @@
 #include "commands/command_words.hpp"
 #include "commands/key_sets.hpp"
 
+#include <QCoreApplication>
 #include <QKeySequence>
 #include <QStringList>
 
@@ -12,11 +13,29 @@ namespace {
 
 using commands::CommandText, commands::KeySet;
 
-constexpr const char* kBeginning =
-    "# All commands and their keys\n\n"
-    "In the order of the menus. \"Keys\" in the \"Settings\" menu changes them "
-    "([how](settings.md#keys)). This page is printed by the program; "
-    "`packaging/screens.sh --manual` prints it anew.\n";
+QString words(const char* text) {
+    return QCoreApplication::translate("pastoso::screens", text);
+}
+
+QString beginning() {
+    return QLatin1String("# ") +
+           words(QT_TRANSLATE_NOOP("pastoso::screens", "All commands and their keys")) +
+           QLatin1String("\n\n") +
+           words(QT_TRANSLATE_NOOP(
+               "pastoso::screens",
+               "In the order of the menus. \"Keys\" in the \"Settings\" menu changes them "
+               "([how](settings.md#keys)). This page is printed by the program; "
+               "`packaging/screens.sh --manual` prints it anew.")) +
+           QLatin1Char('\n');
+}
+
+QString head_of(const char* menu) {
+    return QStringLiteral("\n## %1\n\n| %2 | %3 | %4 | %5 |\n| --- | --- | --- | --- |\n")
+        .arg(commands::plain_words(menu), words(QT_TRANSLATE_NOOP("pastoso::screens", "command")),
+             words(QT_TRANSLATE_NOOP("pastoso::screens", "like Krita")),
+             words(QT_TRANSLATE_NOOP("pastoso::screens", "like Photoshop")),
+             words(QT_TRANSLATE_NOOP("pastoso::screens", "does")));
+}
 
 /// Backticks that hold any key, also one that Markdown reads otherwise in a table.
 QString key_words(const QKeySequence& key) {
@@ -40,15 +59,10 @@ QString line_of(const CommandText& text) {
 }  // namespace
 
 std::string keys_page() {
-    QString page = QString::fromUtf8(kBeginning);
+    QString page = beginning();
     const char* menu = nullptr;
     for (const CommandText& text : commands::command_list()) {
-        if (menu != text.menu)
-            page += QStringLiteral(
-                        "\n## %1\n\n"
-                        "| command | like Krita | like Photoshop | does |\n"
-                        "| --- | --- | --- | --- |\n")
-                        .arg(commands::plain_words(text.menu));
+        if (menu != text.menu) page += head_of(text.menu);
         menu = text.menu;
         page += line_of(text);
     }

@@ -1,7 +1,7 @@
 // Takes pictures of the program's main states: for whoever looks after it, and for the manual.
 //
 //     pastoso-screens PAINTING.pastoso FOLDER
-//     pastoso-screens --keys
+//     pastoso-screens --keys LANGUAGE
 //
 // The first takes the pictures; a display and folders of its own are needed (packaging/screens.sh). The
 // second prints the manual's table of all commands and their keys.
@@ -63,15 +63,20 @@ bool take_languages(const QString& painting, const QString& folder) {
                           folder + QStringLiteral("/languages.png"));
 }
 
+int print_keys(int argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    main::speak(QString::fromLocal8Bit(argv[2]));
+    std::fputs(screens::keys_page().c_str(), stdout);
+    return EXIT_SUCCESS;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc == 2 && std::string_view(argv[1]) == "--keys") {
-        std::fputs(screens::keys_page().c_str(), stdout);
-        return EXIT_SUCCESS;
-    }
+    if (argc == 3 && std::string_view(argv[1]) == "--keys") return print_keys(argc, argv);
     if (argc != 3) {
-        std::fprintf(stderr, "pastoso-screens: give a painting and a folder, or --keys.\n");
+        std::fprintf(stderr,
+                     "pastoso-screens: give a painting and a folder, or --keys and a language.\n");
         return 2;
     }
     graphics::ask_for_opengl();
