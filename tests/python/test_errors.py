@@ -94,6 +94,14 @@ class Sentences(InFolder):
             self.input_error(lambda: film.render(scale=scale))
         self.input_error(lambda: pastoso.Tea({"cells": 8, "parcels": 9}).pour_by_hand((float("nan"), 0)))
 
+    def test_have_a_code_and_arguments(self):
+        missing = self.folder / "no %1.pastoso"
+        with self.assertRaises(pastoso.InputError) as caught:
+            pastoso.Painting.open(missing)
+        self.assertEqual(caught.exception.code, "%1: cannot be opened (%2).")
+        self.assertEqual(caught.exception.arguments[0], str(missing))
+        self.assertEqual(str(caught.exception), f"{missing}: cannot be opened ({caught.exception.arguments[1]}).")
+
     def test_are_value_errors_and_internal_ones_are_not(self):
         self.assertTrue(issubclass(pastoso.InputError, ValueError))
         self.assertTrue(issubclass(pastoso.InternalError, RuntimeError))
