@@ -4,12 +4,12 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/looking.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "files/json_place.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <utility>
 
 namespace pastoso::liquid_files {
@@ -18,12 +18,6 @@ namespace {
 constexpr int kVersion = 1, kMostFrames = 1'000'000;
 constexpr double kLeastFps = 1.0, kMostFps = 1000.0;
 constexpr std::size_t kMostIndexBytes = std::size_t{16} << 20;
-
-std::string hash_text(std::uint64_t hash) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    return text;
-}
 
 std::uint64_t read_hash(const files::JsonPlace& place) {
     const std::string text = place.text();
@@ -52,7 +46,7 @@ void write_frame_index(const std::filesystem::path& folder, const FrameIndexKind
     files::Json json;
     json["format"] = kind.format;
     json["version"] = kVersion;
-    json["scene_hash"] = hash_text(index.scene_hash);
+    json["scene_hash"] = core::hex_text(index.scene_hash);
     json["fps"] = index.fps;
     json["count"] = index.count;
     json["scene"] = index.scene;

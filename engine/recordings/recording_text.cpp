@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "files/text_lines.hpp"
 #include "recordings/stroke_ticks.hpp"
 
 #include <algorithm>
@@ -26,16 +27,6 @@ constexpr double kLargestNumber = 1e7;
 
 /// A day: the longest session that is read.
 constexpr double kLongestTime_s = 24.0 * 3600.0;
-
-/// A word of the file as it can stand in a sentence.
-std::string quoted(std::string_view word) {
-    constexpr std::size_t kLongest = 40;
-    std::string text(word.substr(0, kLongest));
-    for (char& letter : text) {
-        if (letter < ' ' || letter > '~') letter = '?';
-    }
-    return '"' + text + (word.size() > kLongest ? "...\"" : "\"");
-}
 
 /// Cuts off and returns what stands before `end`, the whole rest when `end` does not occur.
 std::string_view take_until(std::string_view& rest, std::string_view ends) {
@@ -92,9 +83,9 @@ class TraceReader {
         const char* digits = word.data() + (word.size() > 1 && word.front() == '+' ? 1 : 0);
         const auto result = std::from_chars(digits, word.data() + word.size(), value);
         if (result.ec != std::errc() || result.ptr != word.data() + word.size())
-            fail("the %1 %2 is not a number.", core::message(column), quoted(word));
+            fail("the %1 %2 is not a number.", core::message(column), files::quoted(word));
         if (!(std::abs(value) <= kLargestNumber))
-            fail("the %1 %2 is not between -1e7 and 1e7.", core::message(column), quoted(word));
+            fail("the %1 %2 is not between -1e7 and 1e7.", core::message(column), files::quoted(word));
         return value;
     }
 

@@ -18,11 +18,7 @@ constexpr double kRounding = 1e-9;
 class CopyingPaint : public testing::Test {
   protected:
     void SetUp() override {
-        painting.apply(UseMedium{"fluid acrylic"});
-        painting.apply(TakeBrush{"flat", 8, 1});
-        painting.apply(load_of("PB29"));
-        paint_wave(painting, 0.0, 10.0);
-        painting.apply(DryNow{});
+        paint_dry_wave(painting);
         painting.apply(load_of("PY35"));
         paint_wave(painting, 1.0, 12.0);
     }

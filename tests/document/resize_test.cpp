@@ -19,11 +19,7 @@ constexpr double kRounding = 1e-9;
 class Resizing : public testing::Test {
   protected:
     void SetUp() override {
-        painting.apply(UseMedium{"fluid acrylic"});
-        painting.apply(TakeBrush{"flat", 8, 1});
-        painting.apply(load_of("PB29"));
-        paint_wave(painting, 0.0, 10.0);
-        painting.apply(DryNow{});
+        paint_dry_wave(painting);
         painting.apply(AddLayer{"Above"});
         paint_wave(painting, 1.0, 14.0);
     }

@@ -35,6 +35,15 @@ inline void paint_wave(Painting& painting, double start_s, double y_mm) {
     painting.apply(PenUp{});
 }
 
+/// A dry wave of blue acrylic; the flat that painted it stays in hand.
+inline void paint_dry_wave(Painting& painting) {
+    painting.apply(UseMedium{"fluid acrylic"});
+    painting.apply(TakeBrush{"flat", 8, 1});
+    painting.apply(load_of("PB29"));
+    paint_wave(painting, 0.0, 10.0);
+    painting.apply(DryNow{});
+}
+
 /// Two strokes of two colours that cross, with a tilt of runny paint, as a session with ticks.
 inline Recording crossing_session() {
     Recording recording;

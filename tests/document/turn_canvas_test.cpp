@@ -22,11 +22,7 @@ class CanvasTurning : public testing::Test {
   protected:
     /// Dry paint, wet paint that runs, paint on the well, two layers, and one of them hidden.
     void SetUp() override {
-        painting.apply(UseMedium{"fluid acrylic"});
-        painting.apply(TakeBrush{"flat", 8, 1});
-        painting.apply(load_of("PB29"));
-        paint_wave(painting, 0.0, 10.0);
-        painting.apply(DryNow{});
+        paint_dry_wave(painting);
         painting.apply(load_of("PY35"));
         paint_wave(painting, 1.0, 22.0);
         painting.apply(AddLayer{"Above"});
