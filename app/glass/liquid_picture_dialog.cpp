@@ -1,5 +1,6 @@
 #include "glass/liquid_picture_dialog.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "appearance/screen_colours.hpp"
 #include "appearance/shown_message.hpp"
 #include "core/error.hpp"
@@ -169,9 +170,7 @@ void LiquidPictureDialog::show_progress() {
         else
             progress_->setText(tr("%1 of %n sample(s)", nullptr, wanted_samples_).arg(progress.samples));
         if (const auto shown = work_->shown()) {
-            const QImage view(shown->rgb.data(), shown->width, shown->height, 3 * shown->width,
-                              QImage::Format_RGB888);
-            shown_ = view.copy();
+            shown_ = appearance::view_of(*shown).copy();
             show_picture();
         }
     }

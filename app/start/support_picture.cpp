@@ -1,5 +1,6 @@
 #include "start/support_picture.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "core/thread_pool.hpp"
 #include "document/painting.hpp"
 #include "recordings/canvas_support.hpp"
@@ -27,9 +28,7 @@ QImage support_picture(const std::string& support, const QSize& size_px) {
     const document::Snapshot bare = recordings::make_painting(canvas, pool)->snapshot();
     const pigment::Image8 picture =
         pigment::encode_srgb8(shade::render(bare.film, bare.ground, bare.film.shape.cells(), {}, pool));
-    return QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
-                  QImage::Format_RGB888)
-        .copy();
+    return appearance::view_of(picture).copy();
 }
 
 QPixmap edged(QImage picture) {

@@ -1,13 +1,12 @@
 #include "document/similar_colour.hpp"
 
+#include "brush/nearest_cell.hpp"
 #include "grid/connected.hpp"
 #include "pigment/appearance.hpp"
 #include "pigment/lab.hpp"
 #include "shade/tile_colour.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -43,10 +42,6 @@ TileColours colours_of(const film::FilmState& seen, int tile, const pigment::Ban
     return colours;
 }
 
-int nearest_cell(double at_mm, double cell_mm, int count) {
-    return static_cast<int>(std::clamp(std::floor(at_mm / cell_mm), 0.0, count - 1.0));
-}
-
 grid::Mask similar_everywhere(const film::FilmState& seen, const pigment::Bands& ground,
                               const pigment::Lab& wanted, double difference, core::ThreadPool& pool) {
     std::vector<TileMask> tiles(static_cast<std::size_t>(seen.shape.tile_count()));
@@ -64,8 +59,7 @@ grid::Mask similar_everywhere(const film::FilmState& seen, const pigment::Bands&
 
 grid::Mask area_of(const SelectSimilarColour& select, const film::FilmState& seen,
                    const pigment::Bands& ground, core::ThreadPool& pool) {
-    const int x = nearest_cell(select.x_mm, seen.cell_mm, seen.shape.width);
-    const int y = nearest_cell(select.y_mm, seen.cell_mm, seen.shape.height);
+    const auto [x, y] = brush::nearest_cell(seen, select.x_mm, select.y_mm);
     const TileColours there = colours_of(seen, seen.shape.tile_at(x, y), ground);
     const pigment::Lab wanted = lab_of(there[grid::Shape::cell_in_tile(x, y)]);
     grid::Mask similar = similar_everywhere(seen, ground, wanted, select.difference, pool);

@@ -1,6 +1,7 @@
 // A window in which selections are drawn, clicked and looked at.
 #pragma once
 
+#include "app/canvas_mouse.hpp"
 #include "app/window_fixture.hpp"
 
 #include <string>
@@ -9,7 +10,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QTest>
 
 namespace pastoso::tests {
@@ -38,12 +38,7 @@ class SelectionFixture : public WindowTest {
     }
 
     void send(QEvent::Type type, const glm::dvec2& place_mm, Qt::KeyboardModifiers keys) {
-        const bool moves = type == QEvent::MouseMove, up = type == QEvent::MouseButtonRelease;
-        const QPointF position = canvas().widget_position(place_mm);
-        QMouseEvent event(type, position, canvas().mapToGlobal(position),
-                          moves ? Qt::NoButton : Qt::LeftButton, up ? Qt::NoButton : Qt::LeftButton,
-                          keys);
-        QApplication::sendEvent(&canvas(), &event);
+        send_mouse(canvas(), type, place_mm, keys);
     }
     void drag(const std::vector<glm::dvec2>& path_mm, Qt::KeyboardModifiers keys = {}) {
         send(QEvent::MouseButtonPress, path_mm.front(), keys);

@@ -1,4 +1,5 @@
 // Moving, scaling and turning paint in the real window: by dragging the frame, by keys and by numbers.
+#include "app/canvas_mouse.hpp"
 #include "app/window_fixture.hpp"
 #include "dialogs/transform_dialog.hpp"
 #include "main/window_parts.hpp"
@@ -56,12 +57,7 @@ class TransformWindow : public WindowTest {
     }
 
     void send(QEvent::Type type, const glm::dvec2& place_mm, Qt::KeyboardModifiers keys) {
-        const bool moves = type == QEvent::MouseMove, up = type == QEvent::MouseButtonRelease;
-        const QPointF position = canvas().widget_position(place_mm);
-        QMouseEvent event(type, position, canvas().mapToGlobal(position),
-                          moves ? Qt::NoButton : Qt::LeftButton, up ? Qt::NoButton : Qt::LeftButton,
-                          keys);
-        QApplication::sendEvent(&canvas(), &event);
+        send_mouse(canvas(), type, place_mm, keys);
     }
     void drag(const glm::dvec2& from_mm, const glm::dvec2& to_mm, Qt::KeyboardModifiers keys = {}) {
         send(QEvent::MouseButtonPress, from_mm, keys);

@@ -1,5 +1,6 @@
 #include "main/canvas/canvas_sizing.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
 #include "panels/parts/status_readings.hpp"
 #include "session/layer_painter.hpp"
@@ -34,9 +35,7 @@ QImage small_picture(const document::Snapshot& painting) {
         session::layer_picture(painting.film, painting.ground, kPicture_px, kPicture_px);
     QImage picture(found.width, found.height, QImage::Format_RGB32);
     picture.fill(kBareCanvas);
-    QPainter(&picture).drawImage(
-        0, 0,
-        QImage(found.rgba.data(), found.width, found.height, 4 * found.width, QImage::Format_RGBA8888));
+    QPainter(&picture).drawImage(0, 0, appearance::view_of_rgba(found.rgba, found.width, found.height));
     return picture;
 }
 

@@ -1,5 +1,6 @@
 #include "main/canvas/navigation.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "panels/canvas/navigator_map.hpp"
 #include "panels/canvas/navigator_panel.hpp"
 
@@ -18,12 +19,6 @@ constexpr double kZoomPerNotch = 1.25;
 /// Of the picture, whatever the size of the panel.
 constexpr QSize kMostPicture(320, 320);
 
-QImage image_of(const pigment::Image8& picture) {
-    return QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
-                  QImage::Format_RGB888)
-        .copy();
-}
-
 }  // namespace
 
 Navigation::Navigation(Studio& studio, panels::NavigatorPanel* panel, QDockWidget* dock)
@@ -32,8 +27,9 @@ Navigation::Navigation(Studio& studio, panels::NavigatorPanel* panel, QDockWidge
     painter_ = std::make_unique<session::OverviewPainter>(
         size.width(), size.height(),
         [panel](const pigment::Image8& picture) {
-            QMetaObject::invokeMethod(
-                panel, [panel, image = image_of(picture)] { panel->map().show_picture(image); });
+            QMetaObject::invokeMethod(panel, [panel, image = appearance::view_of(picture).copy()] {
+                panel->map().show_picture(image);
+            });
         },
         studio_.teller());
     changed_.setSingleShot(true);

@@ -64,13 +64,11 @@ QString words_of(const WayToSelect& way) {
     if (way.reach)
         return SelectionCommands::tr(
             "Click the colour that tools shall keep to; drag to the right for more, to the left for "
-            "less "
-            "of it. Shift adds, Alt takes away, both keep what is in both.");
+            "less of it. Shift adds, Alt takes away, both keep what is in both.");
     if (way.form == AreaForm::Polygon)
         return SelectionCommands::tr(
             "Click the corners of what tools shall keep to. Enter or a double click closes it, "
-            "Backspace "
-            "takes the last corner back, Esc gives it up.");
+            "Backspace takes the last corner back, Esc gives it up.");
     return SelectionCommands::tr(
         "Drag around what tools shall keep to. Shift adds, Alt takes away, both keep what is "
         "in both; a click ends the selection.");

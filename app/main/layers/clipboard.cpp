@@ -1,5 +1,6 @@
 #include "main/layers/clipboard.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "layers/apart.hpp"
 #include "layers/extent.hpp"
 #include "main/canvas/canvas_sizing.hpp"
@@ -43,9 +44,7 @@ class CopiedMime : public QMimeData {
         const film::FilmState part = layers::on_extent(*paint_, {shape, area_.x0, area_.y0});
         const session::LayerPicture picture =
             session::layer_picture(part, ground_, shape.width, shape.height);
-        return QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
-                      QImage::Format_RGBA8888)
-            .copy();
+        return appearance::view_of_rgba(picture.rgba, picture.width, picture.height).copy();
     }
 
     document::CopiedPaint paint_;

@@ -1,5 +1,6 @@
 #include "main/layers/layer_pictures.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "panels/layers/layer_delegate.hpp"
 #include "panels/layers/layer_panel.hpp"
 #include "tools/layer_list.hpp"
@@ -46,9 +47,7 @@ LayerPictures::LayerPictures(Studio& studio, panels::LayerPanel* layers, QDockWi
     painter_ = std::make_unique<session::LayerPainter>(
         size.width(), size.height(),
         [layers, pixels](document::LayerId layer, const session::LayerPicture& picture) {
-            QImage image = QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
-                                  QImage::Format_RGBA8888)
-                               .copy();
+            QImage image = appearance::view_of_rgba(picture.rgba, picture.width, picture.height).copy();
             image.setDevicePixelRatio(pixels);
             QMetaObject::invokeMethod(layers, [layers, layer, image, wet = picture.wet] {
                 layers->set_picture(layer, image, wet);

@@ -1,5 +1,6 @@
 #include "main/layers/layer_transform.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "dialogs/transform_dialog.hpp"
@@ -41,9 +42,7 @@ QImage picture_in(const tools::TransformFrame& frame, const document::Snapshot& 
     const session::LayerPicture found = session::layer_picture(
         film, painting.ground, static_cast<int>(std::lround(scale * film.shape.width)),
         static_cast<int>(std::lround(scale * film.shape.height)));
-    QImage picture =
-        QImage(found.rgba.data(), found.width, found.height, 4 * found.width, QImage::Format_RGBA8888)
-            .copy();
+    QImage picture = appearance::view_of_rgba(found.rgba, found.width, found.height).copy();
     const double cells_x = static_cast<double>(film.shape.width) / found.width;
     const double cells_y = static_cast<double>(film.shape.height) / found.height;
     for (int y = 0; painting.selection != nullptr && y < found.height; ++y)

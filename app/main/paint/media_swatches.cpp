@@ -1,5 +1,6 @@
 #include "main/paint/media_swatches.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "film/medium.hpp"
 #include "panels/paint/medium_box.hpp"
 #include "panels/paint/medium_panel.hpp"
@@ -31,9 +32,7 @@ void MediaSwatches::paint_all() {
 
 /// On the painter's thread.
 void MediaSwatches::show(const std::string& medium, const pigment::Image8& picture) {
-    QImage image = QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
-                          QImage::Format_RGB888)
-                       .copy();
+    QImage image = appearance::view_of(picture).copy();
     image.setDevicePixelRatio(pixels_);
     for (panels::MediumBox* box : boxes_)
         QMetaObject::invokeMethod(

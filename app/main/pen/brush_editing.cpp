@@ -12,7 +12,9 @@ using commands::Command;
 
 BrushEditing::BrushEditing(Studio& studio, const BrushJar& jar) : studio_(studio), jar_(jar) {
     studio_.commands().on(Command::BrushEditor, [this](bool) { show_or_hide(); });
-    connect(&studio_, &Studio::hand_changed, this, [this] { show(); });
+    connect(&studio_, &Studio::hand_changed, this, [this] {
+        if (editor_ != nullptr && editor_->isVisible()) show();
+    });
 }
 
 /// Where it lies behind another window it comes to the front.
@@ -38,7 +40,6 @@ void BrushEditing::make() {
 }
 
 void BrushEditing::show() {
-    if (editor_ == nullptr) return;
     editor_->show_tool(tools::sized_preset_in_hand(studio_.easel().hand()), jar_.kept_brush());
 }
 

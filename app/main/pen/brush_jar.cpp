@@ -1,5 +1,6 @@
 #include "main/pen/brush_jar.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "appearance/shown_message.hpp"
 #include "appearance/shown_names.hpp"
 #include "core/looking.hpp"
@@ -114,9 +115,7 @@ void BrushJar::make_thumbnails() {
     thumbnails_ = std::make_unique<session::ThumbnailPainter>(
         size.width(), size.height(),
         [panel = brushes_, pixels](const std::string& name, const pigment::Image8& thumbnail) {
-            QImage image = QImage(thumbnail.rgb.data(), thumbnail.width, thumbnail.height,
-                                  3 * thumbnail.width, QImage::Format_RGB888)
-                               .copy();
+            QImage image = appearance::view_of(thumbnail).copy();
             image.setDevicePixelRatio(pixels);
             QMetaObject::invokeMethod(panel, [panel, name = QString::fromStdString(name), image] {
                 panel->show_thumbnail(name, image);

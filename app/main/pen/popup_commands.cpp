@@ -1,5 +1,6 @@
 #include "main/pen/popup_commands.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "core/user_data.hpp"
 #include "main/paint/swatches.hpp"
 #include "main/pen/brush_jar.hpp"
@@ -98,9 +99,7 @@ void PopupCommands::make_palette() {
     thumbnails_ = std::make_unique<session::ThumbnailPainter>(
         side, side,
         [palette = palette_](const std::string& name, const pigment::Image8& thumbnail) {
-            const QImage image = QImage(thumbnail.rgb.data(), thumbnail.width, thumbnail.height,
-                                        3 * thumbnail.width, QImage::Format_RGB888)
-                                     .copy();
+            const QImage image = appearance::view_of(thumbnail).copy();
             QMetaObject::invokeMethod(palette, [palette, name = QString::fromStdString(name), image] {
                 palette->set_thumbnail(name, image);
             });

@@ -1,5 +1,6 @@
 #include "panels/layers/tracing_panel.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "document/actions/actions.hpp"
 #include "panels/colour/picture_board.hpp"
 #include "panels/parts/section.hpp"
@@ -18,8 +19,7 @@ constexpr int kRest_ms = 250;
 constexpr double kNarrowest_mm = 1.0;
 
 QImage image_of(const pigment::Picture& picture) {
-    return QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
-                  QImage::Format_RGBA8888);
+    return appearance::view_of_rgba(picture.rgba, picture.width, picture.height);
 }
 
 }  // namespace

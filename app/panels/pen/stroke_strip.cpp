@@ -1,5 +1,6 @@
 #include "panels/pen/stroke_strip.hpp"
 
+#include "appearance/picture_view.hpp"
 #include "appearance/screen_colours.hpp"
 #include "document/tool_sample.hpp"
 
@@ -23,12 +24,6 @@ constexpr double kRound = 4.0;
 /// Words that are read over paint of any colour.
 constexpr QColor kInk(0, 0, 0, 190), kPaper(255, 255, 255, 150);
 
-QImage image_of(const pigment::Image8& sample) {
-    return QImage(sample.rgb.data(), sample.width, sample.height, 3 * sample.width,
-                  QImage::Format_RGB888)
-        .copy();
-}
-
 /// The longest of 1, 2, 5, 10 ... mm that takes at most a fifth of the board.
 double bar_mm(double board_mm) {
     const double most = board_mm / 5.0, decade = std::pow(10.0, std::floor(std::log10(most)));
@@ -44,7 +39,8 @@ StrokeStrip::StrokeStrip(core::Tell tell, QWidget* parent)
       painter_(
           [this](int number, const pigment::Image8& sample) {
               QMetaObject::invokeMethod(
-                  this, [this, number, image = image_of(sample)] { take(number, image); });
+                  this,
+                  [this, number, image = appearance::view_of(sample).copy()] { take(number, image); });
           },
           std::move(tell)) {
     setAttribute(Qt::WA_OpaquePaintEvent);

@@ -4,6 +4,8 @@
 #include "document/living_painting.hpp"
 #include "document/similar_colour.hpp"
 
+#include <cmath>
+
 namespace pastoso::document {
 namespace {
 
@@ -19,6 +21,9 @@ void select(const grid::Mask& area, Combination how, LivingPainting& painting) {
 }  // namespace
 
 void check_point(const core::Message& name, const CanvasPoint& point) {
+    // An outline has points by the thousand: one that fits needs no message.
+    const auto fits = [](double place_mm) { return std::abs(place_mm) <= kMaxPenPosition_mm; };
+    if (fits(point.x_mm) && fits(point.y_mm)) return;
     check_between(core::message("x of the %1", name), "mm", point.x_mm, -kMaxPenPosition_mm,
                   kMaxPenPosition_mm);
     check_between(core::message("y of the %1", name), "mm", point.y_mm, -kMaxPenPosition_mm,
@@ -28,8 +33,9 @@ void check_point(const core::Message& name, const CanvasPoint& point) {
 void check_whole(const SelectArea& select) {
     check_between(core::message("number of the outline's points"), "",
                   static_cast<double>(select.outline.size()), 3.0, kMostOutlinePoints);
+    const core::Message name = core::message("outline's point");
     for (const CanvasPoint& point : select.outline)
-        check_point(core::message("outline's point"), point);
+        check_point(name, point);
 }
 
 void check_whole(const SelectByHeight& select) {
