@@ -42,7 +42,8 @@ struct HaloMap {
 };
 HaloMap make_halo_map(int tile_index, int canvas_cells, Edge edge);
 
-/// The gathered fields; cells that no source reaches hold no paint.
+/// The gathered fields; cells that no source reaches hold no paint. Columns from kBlockRows on are
+/// padding.
 struct HaloBlock {
     alignas(64) BlockArray<float> thickness;  ///< mm
     alignas(64) BlockArray<float> support;    ///< mm
