@@ -78,6 +78,8 @@ constexpr CommandText kCommands[] = {
                            "program as dry paint")},
     CommandText{Command::PasteAtCursor, kEdit, QT_TR_NOOP("Paste &at cursor"), "Ctrl+Alt+V",
                 QT_TR_NOOP("The same, with the middle of the copied paint where the pointer is")},
+    CommandText{Command::ScaleImage, kImage, QT_TR_NOOP("Scale image to &new size..."), "Ctrl+Alt+I",
+                QT_TR_NOOP("Draw the whole painting out, or make it of finer or coarser pixels")},
     CommandText{Command::CanvasSize, kImage, QT_TR_NOOP("&Canvas size..."), "Ctrl+Alt+C",
                 QT_TR_NOOP("Make the canvas larger, or cut it, on any side")},
     CommandText{Command::CropToSelection, kImage, QT_TR_NOOP("Crop to the &selection"), "",

@@ -29,6 +29,7 @@ enum class Command {
     CopyMerged,
     Paste,
     PasteAtCursor,
+    ScaleImage,
     CanvasSize,
     CropToSelection,
     MirrorImageHorizontally,

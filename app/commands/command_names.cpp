@@ -38,6 +38,7 @@ constexpr Name kNames[] = {
     {Command::CopyMerged, "copy_merged"},
     {Command::Paste, "paste"},
     {Command::PasteAtCursor, "paste_at_cursor"},
+    {Command::ScaleImage, "scale_image"},
     {Command::CanvasSize, "canvas_size"},
     {Command::CropToSelection, "crop_to_selection"},
     {Command::MirrorImageHorizontally, "mirror_image_horizontally"},

@@ -30,6 +30,7 @@ constexpr Topic kTopics[] = {
     {"pastoso::panels::GuidesPanel", "layers#guides"},
     {"pastoso::panels::TracingPanel", "layers#tracing"},
     {"pastoso::dialogs::TransformDialog", "layers#moving-scaling-and-turning"},
+    {"pastoso::dialogs::ScaleDialog", "layers#another-size-or-resolution"},
     {"pastoso::dialogs::CanvasSizeDialog", "layers#the-size-of-the-canvas"},
     {"pastoso::dialogs::SelectRangeDialog", "layers#selections"},
     {"pastoso::dialogs::MarginDialog", "layers#selections"},

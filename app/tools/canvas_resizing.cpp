@@ -1,5 +1,7 @@
 #include "tools/canvas_resizing.hpp"
 
+#include "core/units.hpp"
+
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -18,12 +20,19 @@ void move_point(const CanvasMove& move, double& x_mm, double& y_mm) {
     y_mm = place_mm.y;
 }
 
+double turned_deg(double angle_deg, const core::Orientation& turn) {
+    if (turn == core::Orientation{}) return angle_deg;
+    constexpr double kQuarter_deg = 90.0, kWhole_deg = 360.0;
+    const double mirrored_deg = turn.mirrored ? -angle_deg : angle_deg;
+    return std::remainder(mirrored_deg + kQuarter_deg * turn.quarter_turns, kWhole_deg);
+}
+
 /// A direction, or that of an axis.
 double moved_deg(double angle_deg, const CanvasMove& move) {
-    if (move.turn == core::Orientation{}) return angle_deg;
-    constexpr double kQuarter_deg = 90.0, kWhole_deg = 360.0;
-    const double mirrored_deg = move.turn.mirrored ? -angle_deg : angle_deg;
-    return std::remainder(mirrored_deg + kQuarter_deg * move.turn.quarter_turns, kWhole_deg);
+    const double turned = turned_deg(angle_deg, move.turn);
+    if (move.scale.x == move.scale.y) return turned;
+    const double angle = core::radians(turned);
+    return core::degrees(std::atan2(move.scale.y * std::sin(angle), move.scale.x * std::cos(angle)));
 }
 
 brush::Ruler moved(brush::Ruler ruler, const CanvasMove& move) {
@@ -32,10 +41,28 @@ brush::Ruler moved(brush::Ruler ruler, const CanvasMove& move) {
     return ruler;
 }
 
+/// The points A u, |u| = 1, of an ellipse are at its half axes where they are longest and shortest: the
+/// eigenvectors of A A^T.
+brush::EllipseCurve drawn_out(brush::EllipseCurve ellipse, const glm::dvec2& scale) {
+    if (scale == glm::dvec2(1.0)) return ellipse;
+    const double turn = core::radians(ellipse.turn_deg);
+    const glm::dvec2 along(std::cos(turn), std::sin(turn)), across(-along.y, along.x);
+    const glm::dvec2 a = ellipse.half_width_mm * scale * along,
+                     b = ellipse.half_height_mm * scale * across;
+    const double xx = a.x * a.x + b.x * b.x, yy = a.y * a.y + b.y * b.y, xy = a.x * a.y + b.x * b.y;
+    const double middle = 0.5 * (xx + yy), apart = std::hypot(0.5 * (xx - yy), xy);
+    const bool longer_along = ellipse.half_width_mm >= ellipse.half_height_mm;
+    const double longer_deg = core::degrees(0.5 * std::atan2(2.0 * xy, xx - yy));
+    ellipse.half_width_mm = std::sqrt(longer_along ? middle + apart : middle - apart);
+    ellipse.half_height_mm = std::sqrt(longer_along ? middle - apart : middle + apart);
+    ellipse.turn_deg = longer_along ? longer_deg : longer_deg - 90.0;
+    return ellipse;
+}
+
 brush::EllipseCurve moved(brush::EllipseCurve ellipse, const CanvasMove& move) {
     move_point(move, ellipse.centre_x_mm, ellipse.centre_y_mm);
-    ellipse.turn_deg = moved_deg(ellipse.turn_deg, move);
-    return ellipse;
+    ellipse.turn_deg = turned_deg(ellipse.turn_deg, move.turn);
+    return drawn_out(ellipse, move.scale);
 }
 
 brush::Symmetry moved(brush::Symmetry symmetry, const CanvasMove& move) {
@@ -78,7 +105,7 @@ std::optional<document::ResizeCanvas> cropped_to(const document::Selection& sele
 
 glm::dvec2 CanvasMove::operator()(const glm::dvec2& place_mm) const {
     const auto turned = core::turned(core::PlanePoint{place_mm.x, place_mm.y}, turn);
-    return glm::dvec2(turned.x, turned.y) + shift_mm;
+    return scale * glm::dvec2(turned.x, turned.y) + shift_mm;
 }
 
 /// Both canvases lie on the same cloth.
@@ -86,6 +113,15 @@ CanvasMove move_between(const document::CanvasSettings& before, const document::
     CanvasMove move{core::followed_by(core::reversed(before.support_turn), after.support_turn)};
     move.shift_mm = move({before.support_x_mm, before.support_y_mm}) -
                     glm::dvec2(after.support_x_mm, after.support_y_mm);
+    return move;
+}
+
+CanvasMove move_between(const document::BareCanvas& before, const document::BareCanvas& after) {
+    CanvasMove move = move_between(before.settings, after.settings);
+    glm::dvec2 drawn_out(before.drawn_out_x, before.drawn_out_y);
+    if (move.turn.swaps_sides()) drawn_out = {drawn_out.y, drawn_out.x};
+    move.scale = glm::dvec2(after.drawn_out_x, after.drawn_out_y) / drawn_out;
+    if (move.scale != glm::dvec2(1.0)) move.shift_mm = {};
     return move;
 }
 
@@ -100,6 +136,7 @@ Hand moved_along(Hand hand, const CanvasMove& move) {
     if (hand.ellipse) hand.ellipse = moved(*hand.ellipse, move);
     hand.guide = moved(hand.guide, move);
     move_point(move, hand.air.fan_x_mm, hand.air.fan_y_mm);
+    hand.air.fan_radius_mm *= std::sqrt(move.scale.x * move.scale.y);
     return hand;
 }
 

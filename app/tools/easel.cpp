@@ -292,6 +292,11 @@ void Easel::turn_canvas(const TurnCanvas& turn) {
     post_(turn);
 }
 
+void Easel::scale_canvas(const ScaleCanvas& scale) {
+    end_stroke();
+    post_(scale);
+}
+
 void Easel::transform(const TransformLayer& transform) {
     end_stroke();
     post_(transform);

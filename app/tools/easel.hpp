@@ -110,6 +110,7 @@ class Easel {
 
     void resize(const document::ResizeCanvas& resize);
     void turn_canvas(const document::TurnCanvas& turn);
+    void scale_canvas(const document::ScaleCanvas& scale);
     void transform(const document::TransformLayer& transform);
     void fill(const document::FillWithPaint& fill);
     void undo();
@@ -163,13 +164,13 @@ class Easel {
     bool painting_ = false;
     document::Surface painting_on_ = document::Surface::Canvas;  ///< in the latest stroke
     double share_before_wash_ = 1.0;                             ///< of paint in the medium in hand
-    bool mixed_ = false;         ///< the brush was in the well since it was loaded
-    int squeezed_ = 0;           ///< places of the row that are taken
-    Pointer pressed_, latest_;   ///< of the latest stroke on the canvas
+    bool mixed_ = false;               ///< the brush was in the well since it was loaded
+    int squeezed_ = 0;                 ///< places of the row that are taken
+    Pointer pressed_, latest_;         ///< of the latest stroke on the canvas
     std::optional<Pointer> start_;     ///< of a stroke whose direction is not known yet
     double start_rotation_deg_ = 0.0;  ///< that it began with
-    brush::PenSample previous_;  ///< that was posted
-    double waited_s_ = 0.0;      ///< since the brush moved
+    brush::PenSample previous_;        ///< that was posted
+    double waited_s_ = 0.0;            ///< since the brush moved
     bool has_clock_zero_ = false;
     std::uint64_t clock_zero_ms_ = 0;
     double previous_time_s_ = 0.0;

@@ -46,6 +46,11 @@ int cells_from_origin(double place_mm, double px_per_mm) {
     return static_cast<int>(std::lround(place_mm * px_per_mm));
 }
 
+/// So that 6.3 is 6.3, whatever it is a product of.
+double in_millionths(double value) {
+    return std::round(1e6 * value) / 1e6;
+}
+
 /// The cells of the turned cloth that a canvas is of.
 grid::Rect cells_of_cloth(const CanvasSettings& settings) {
     const grid::Shape shape = canvas_shape(settings);
@@ -128,6 +133,8 @@ ResizedCanvas resized_canvas(const ResizeCanvas& resize, std::shared_ptr<const B
     check_canvas_fits(after.settings, core::available_memory_bytes());
     after.support_mm =
         resized_support(*before, after.settings, extent_of(resize, before->settings), pool);
+    after.drawn_out_x = before->drawn_out_x;
+    after.drawn_out_y = before->drawn_out_y;
     return {resize, std::move(before), std::make_shared<const BareCanvas>(std::move(after))};
 }
 
@@ -142,7 +149,45 @@ CanvasSettings turned(const core::Orientation& turn, CanvasSettings settings) {
 }
 
 BareCanvas turned(const core::Orientation& turn, const BareCanvas& bare, core::ThreadPool& pool) {
-    return {turned(turn, bare.settings), layers::turned(bare.support_mm, turn, pool)};
+    BareCanvas after = bare;
+    after.settings = turned(turn, bare.settings);
+    after.support_mm = layers::turned(bare.support_mm, turn, pool);
+    if (turn.swaps_sides()) std::swap(after.drawn_out_x, after.drawn_out_y);
+    return after;
+}
+
+CanvasSettings scaled(const ScaleCanvas& scale, CanvasSettings settings) {
+    settings.width_mm = in_millionths(scale.scale_x * settings.width_mm);
+    settings.height_mm = in_millionths(scale.scale_y * settings.height_mm);
+    settings.px_per_mm = in_millionths(scale.finer * settings.px_per_mm);
+    const auto whole_cells = [&](double place_mm) {
+        return cells_from_origin(place_mm, settings.px_per_mm) / settings.px_per_mm;
+    };
+    settings.support_x_mm = whole_cells(settings.support_x_mm);
+    settings.support_y_mm = whole_cells(settings.support_y_mm);
+    check_canvas(settings);
+    return settings;
+}
+
+layers::Resampling resampling_of(const ScaleCanvas& scale, const CanvasSettings& before) {
+    const CanvasSettings after = scaled(scale, before);
+    return {.map = {scale.finer * scale.scale_x, 0.0, 0.0, 0.0, scale.finer * scale.scale_y, 0.0},
+            .shape = canvas_shape(after),
+            .cell_mm = 1.0 / after.px_per_mm,
+            .beyond = layers::Beyond::GoesOn};
+}
+
+BareCanvas scaled(const ScaleCanvas& scale, const BareCanvas& bare, core::ThreadPool& pool) {
+    BareCanvas after{.settings = scaled(scale, bare.settings),
+                     .support_mm = {},
+                     .drawn_out_x = scale.scale_x * bare.drawn_out_x,
+                     .drawn_out_y = scale.scale_y * bare.drawn_out_y};
+    check_canvas_fits(after.settings, core::available_memory_bytes());
+    after.support_mm =
+        after.settings.support == "image"
+            ? layers::resampled(bare.support_mm, resampling_of(scale, bare.settings), pool)
+            : named_support(after.settings, pool, film::form_of(bare.support_mm));
+    return after;
 }
 
 std::size_t estimated_bytes(const grid::Shape& shape) {

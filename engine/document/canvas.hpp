@@ -6,6 +6,7 @@
 #include "document/canvas_settings.hpp"
 #include "film/support/support.hpp"
 #include "grid/extent.hpp"
+#include "layers/resampling.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -22,6 +23,9 @@ inline constexpr int kMaxCellsPerSide = 32768;
 struct BareCanvas {
     CanvasSettings settings;
     film::SupportHeights support_mm;
+    /// How far what is painted has been drawn out since the painting was begun or opened, for what lies
+    /// over it.
+    double drawn_out_x = 1.0, drawn_out_y = 1.0;
 };
 
 /// Throws InputError when a number is not finite or outside the limits above, or when the support's
@@ -58,6 +62,17 @@ CanvasSettings turned(const core::Orientation& turn, CanvasSettings settings);
 
 /// The canvas that has been turned: the heights as they were, each in its new place. Throws the same.
 BareCanvas turned(const core::Orientation& turn, const BareCanvas& bare, core::ThreadPool& pool);
+
+/// What becomes of the settings of a canvas that is scaled; it begins on the same place of the cloth, in
+/// whole cells. Throws InputError as check_canvas() does.
+CanvasSettings scaled(const ScaleCanvas& scale, CanvasSettings settings);
+
+/// Where its cells come to.
+layers::Resampling resampling_of(const ScaleCanvas& scale, const CanvasSettings& before);
+
+/// The canvas that has been scaled: of the same cloth, or of its image drawn out. Throws the same, and
+/// where it would not fit into memory.
+BareCanvas scaled(const ScaleCanvas& scale, const BareCanvas& bare, core::ThreadPool& pool);
 
 /// About what a painting of this many cells needs when all of it is wet and being rendered.
 std::size_t estimated_bytes(const grid::Shape& shape);

@@ -144,6 +144,21 @@ void add_to_hash(const film::FilmState& film, const Layer& layer, core::Hash64& 
     hash.add_value(layer.look.opacity);
 }
 
+/// What was copied of a canvas of other cells.
+film::FilmState in_cells_of(const film::FilmState& canvas, const film::FilmState& copied,
+                            core::ThreadPool& pool) {
+    if (copied.cell_mm == canvas.cell_mm) return copied;
+    const double finer = copied.cell_mm / canvas.cell_mm;
+    const auto cells = [finer](int count) {
+        return std::max(1, static_cast<int>(std::ceil(finer * count)));
+    };
+    return layers::resampled(copied,
+                             {.map = {finer, 0.0, 0.0, 0.0, finer, 0.0},
+                              .shape = {cells(copied.shape.width), cells(copied.shape.height)},
+                              .cell_mm = canvas.cell_mm},
+                             pool);
+}
+
 std::vector<layers::SeenLayer> seen_layers(const LayerStack& stack, const film::FilmState& active) {
     std::vector<layers::SeenLayer> seen;
     for (std::size_t place = 0; place < stack.layers.size(); ++place) {
@@ -223,6 +238,12 @@ void LayeredCanvas::turn(const core::Orientation& turn, std::shared_ptr<const Ba
     lay_out_on(std::move(bare),
                [&](const film::FilmState& layer) { return layers::turned(layer, turn, pool_); });
     solver.restart(awake);
+}
+
+void LayeredCanvas::scale(const layers::Resampling& resampling, std::shared_ptr<const BareCanvas> bare) {
+    lay_out_on(std::move(bare), [&](const film::FilmState& layer) {
+        return layers::resampled(layer, resampling, pool_);
+    });
 }
 
 void LayeredCanvas::lay_out_on(std::shared_ptr<const BareCanvas> bare,
@@ -399,8 +420,9 @@ LayerPaint LayeredCanvas::paste(const PastePaint& paste, const film::FilmState& 
     LayerPaint taken;
     rearrange([&](LayerStack& stack) {
         check_room(stack);
-        film::FilmState paint = layers::on_extent(
-            copied, {painting_.film.shape, -cells(paste.move_x_mm), -cells(paste.move_y_mm)});
+        film::FilmState paint =
+            layers::on_extent(in_cells_of(painting_.film, copied, pool_),
+                              {painting_.film.shape, -cells(paste.move_x_mm), -cells(paste.move_y_mm)});
         taken = paint_on(paint);
         insert_above(stack, stack.active, {.name = paste.name}, inactive_film(std::move(paint)));
     });

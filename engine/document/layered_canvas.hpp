@@ -15,6 +15,7 @@
 #include "grid/extent.hpp"
 #include "grid/mask.hpp"
 #include "layers/apart.hpp"
+#include "layers/resampling.hpp"
 #include "layers/view.hpp"
 
 #include <cstdint>
@@ -73,6 +74,9 @@ class LayeredCanvas {
     /// Turns the canvas; `bare` is its support then. Paint that rests goes on resting.
     void turn(const core::Orientation& turn, std::shared_ptr<const BareCanvas> bare);
 
+    /// Makes the canvas of other cells; `bare` is its support then. Paint begins at rest.
+    void scale(const layers::Resampling& resampling, std::shared_ptr<const BareCanvas> bare);
+
     // Changes of the layers (actions). They throw InputError, and leave all
     // as it was, for layers and places that there are not, and for changes of what is locked.
 
@@ -86,7 +90,7 @@ class LayeredCanvas {
     void ungroup(const UngroupLayers& ungroup);
     void merge_down(const MergeDown& merge);
     void flatten();
-    LayerPaint paint_picture(const PaintPicture& paint);    ///< what came out of the tubes
+    LayerPaint paint_picture(const PaintPicture& paint);  ///< what came out of the tubes
     /// Puts a film that is apart from what it lies on onto the active layer. What came out of the tubes.
     LayerPaint pour(const film::FilmState& poured);
     LayerPaint duplicate(const DuplicateLayer& duplicate);  ///< what came out of the tubes

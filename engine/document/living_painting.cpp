@@ -122,10 +122,19 @@ void LivingPainting::share_consistencies() {
 }
 
 void LivingPainting::book(const LayerChange& paint) {
-    brush::Contents gained = contents_of(paint.after);
-    gained -= contents_of(paint.before);
+    book(contents_of(paint.before), contents_of(paint.after));
+}
+
+void LivingPainting::book(const brush::Contents& before, const brush::Contents& after) {
+    brush::Contents gained = after;
+    gained -= before;
     value.flows.taken += positive_part(gained, 1.0);
     value.flows.wiped += positive_part(gained, -1.0);
+}
+
+void LivingPainting::forget_run_off() {
+    value.flows.wiped += document::contents_of(run_off(), value.film.cell_mm);
+    value.flows.forgotten_run_off = canvas.solver.runoff();
 }
 
 brush::Contents LivingPainting::contents_of(const LayerPaint& paint) const {

@@ -54,6 +54,9 @@ struct LivingPainting {
 
     /// What there is more of came out of the tubes, what there is less of was wiped off.
     void book(const LayerChange& paint);
+    void book(const brush::Contents& before, const brush::Contents& after);
+    /// What has run over the edges counts as wiped off: the solver counts in cells, which become others.
+    void forget_run_off();
     brush::Contents contents_of(const LayerPaint& paint) const;
     brush::Contents held_paint() const;
     brush::Contents paint_in_well() const;
@@ -77,7 +80,7 @@ struct LivingPainting {
     std::optional<film::Solver> well_solver;  ///< there is one as long as there is a well
     film::AgeingClock ageing;
     std::optional<brush::StrokeGroup> stroke;
-    film::Solver* touched = nullptr;  ///< of the surface that the stroke is on
+    film::Solver* touched = nullptr;   ///< of the surface that the stroke is on
     std::optional<StrokeBegun> begun;  ///< as long as there is a stroke
     std::uint64_t brush_touches = 0;
     std::optional<ResizedCanvas> ready_canvas;       ///< Painting::have_ready()

@@ -51,6 +51,10 @@ const film::FilmState& film_of(const Moment& moment, std::size_t place) {
     return is_active(moment, place) ? moment.value.film : *moment.value.layers.layers[place].inactive;
 }
 
+CanvasCells cells_of(const Moment& moment) {
+    return {moment.value.film.shape, moment.value.film.cell_mm};
+}
+
 film::FilmState film_of_layer(const Moment& moment, LayerId id) {
     const film::FilmState& canvas = moment.value.film;
     const Layer* layer = layer_of(moment, id);
@@ -59,11 +63,11 @@ film::FilmState film_of_layer(const Moment& moment, LayerId id) {
 }
 
 /// What the tiles of an older moment's layer are told against: the newer moment's film of that layer, if
-/// there is one of that shape. The support of the active layer is the canvas, of one that is inactive
+/// there is one of such cells. The support of the active layer is the canvas, of one that is inactive
 /// its own relief: they have no tile in common.
-film::FilmState counterpart(const Layer& layer, bool active, const grid::Shape& shape,
+film::FilmState counterpart(const Layer& layer, bool active, const CanvasCells& cells,
                             const Moment& newer) {
-    if (shape != newer.value.film.shape) return {shape, newer.value.film.cell_mm};
+    if (cells != cells_of(newer)) return {cells.shape, cells.cell_mm};
     film::FilmState film = film_of_layer(newer, layer.id);
     const Layer* then = layer_of(newer, layer.id);
     if (active)
@@ -140,14 +144,14 @@ std::size_t bytes_without_films(const Moment& older, const Moment& newer) {
 
 /// Makes the older moment's films of the newer one's.
 template <class Tiles>
-void put(const AllFilms<Tiles>& films, const grid::Shape& shape, const Moment& newer, Moment& older) {
+void put(const AllFilms<Tiles>& films, const CanvasCells& cells, const Moment& newer, Moment& older) {
     for (std::size_t place = 0; place < films.layers.size(); ++place) {
         Layer& layer = older.value.layers.layers[place];
         if (!films.layers[place]) {
             layer.inactive = layer_of(newer, layer.id)->inactive;
             continue;
         }
-        film::FilmState film = counterpart(layer, is_active(older, place), shape, newer);
+        film::FilmState film = counterpart(layer, is_active(older, place), cells, newer);
         films.layers[place]->put_into(film);
         if (is_active(older, place))
             older.value.film = std::move(film);
@@ -173,7 +177,7 @@ struct MomentDifference::Tiles {
             if (is_shared(older, place, newer)) continue;
             const Layer& layer = older.value.layers.layers[place];
             tiles.emplace(film_of(older, place),
-                          counterpart(layer, is_active(older, place), older.value.film.shape, newer));
+                          counterpart(layer, is_active(older, place), cells_of(older), newer));
         }
         if (older.value.well) raw->well.emplace(*older.value.well, well_of(newer, bare_well()));
         return raw;
@@ -219,7 +223,7 @@ struct MomentDifference::Tiles {
 
 MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
     : rest_(without_films(older)),
-      shape_(older.value.film.shape),
+      cells_(cells_of(older)),
       rest_bytes_(bytes_without_films(older, newer)),
       tiles_(std::make_shared<Tiles>()) {
     tiles_->raw = Tiles::taken(older, newer);
@@ -230,9 +234,9 @@ MomentDifference::MomentDifference(const Moment& older, const Moment& newer)
 Moment MomentDifference::applied_to(const Moment& newer) const {
     Moment older = rest_;
     if (const auto raw = tiles_->locked(&Tiles::raw))
-        put(*raw, shape_, newer, older);
+        put(*raw, cells_, newer, older);
     else
-        put(*tiles_->locked(&Tiles::packed), shape_, newer, older);
+        put(*tiles_->locked(&Tiles::packed), cells_, newer, older);
     return older;
 }
 

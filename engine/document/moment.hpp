@@ -22,6 +22,13 @@ struct Moment {
     UndoStep step{};         ///< that leads to the next moment, in the direction that goes on from here
 };
 
+/// What a canvas is divided into.
+struct CanvasCells {
+    grid::Shape shape;
+    double cell_mm = 0.0;
+    friend bool operator==(const CanvasCells&, const CanvasCells&) = default;
+};
+
 /// A moment told by what differs from a newer one.
 class MomentDifference {
   public:
@@ -48,7 +55,7 @@ class MomentDifference {
     struct Tiles;
 
     Moment rest_;  ///< all but the tiles
-    grid::Shape shape_;
+    CanvasCells cells_;
     std::size_t rest_bytes_ = 0, bytes_ = 0;
     bool packing_ = false;
     std::shared_ptr<Tiles> tiles_;  ///< shared with the thread that packs them

@@ -100,6 +100,10 @@ Selection turned(const Selection& before, const core::Orientation& turn, core::T
     return selection_of(std::move(mask));
 }
 
+Selection resampled(const Selection& before, const layers::Resampling& resampling) {
+    return before ? selection_of(layers::resampled(*before, resampling)) : nullptr;
+}
+
 Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform) {
     return before ? selection_of(layers::transformed(*before, cell_mm, transform)) : nullptr;
 }

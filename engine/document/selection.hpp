@@ -6,6 +6,7 @@
 #include "document/actions/selection_actions.hpp"
 #include "film/state.hpp"
 #include "grid/extent.hpp"
+#include "layers/resampling.hpp"
 #include "layers/transform.hpp"
 
 #include <memory>
@@ -31,6 +32,9 @@ Selection changed_by(const BorderSelection& border, const Selection& before, dou
 /// Nothing that is added is selected.
 Selection on_extent(const Selection& before, const grid::Extent& extent);
 Selection turned(const Selection& before, const core::Orientation& turn, core::ThreadPool& pool);
+/// That of a canvas that is scaled.
+Selection resampled(const Selection& before, const layers::Resampling& resampling);
+
 Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform);
 
 }  // namespace pastoso::document

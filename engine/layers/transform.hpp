@@ -20,15 +20,11 @@ struct Transform {
     friend bool operator==(const Transform&, const Transform&) = default;
 };
 
-/// What lies on a layer, apart from what it lies on, somewhere else on the same canvas. Every cell gets
-/// the mean of what its place was before (footprint.hpp): thicknesses, optical thicknesses and all that
-/// wet paint carries, relief, and what fixed paint does to light.
+/// What lies on a layer somewhere else on the same canvas (resampling.hpp).
 ///
 /// The rule of volume: paint keeps its thickness. Where a layer is moved or turned its volume stays; one
 /// that is scaled has its volume times scale_x scale_y. Moves by whole cells, mirroring and quarter
-/// turns that bring cells onto cells are exact; otherwise every cell is rounded, and what was fine is
-/// blurred by half a cell. What comes to lie beyond the canvas is gone. Paint begins at rest.
-/// What has evaporated is unchanged.
+/// turns that bring cells onto cells are exact.
 film::FilmState transformed(const film::FilmState& layer, const Transform& transform,
                             core::ThreadPool& pool);
 

@@ -31,12 +31,33 @@ std::vector<core::Message> notes_of(const document::Recording& strokes) {
     return notes;
 }
 
-/// The one that it begins on, and what changes of its size make of it.
+document::CanvasSettings after(const document::Action& action, const document::CanvasSettings& canvas) {
+    if (const auto* resize = std::get_if<document::ResizeCanvas>(&action))
+        return document::resized(*resize, canvas);
+    if (const auto* turn = std::get_if<document::TurnCanvas>(&action))
+        return document::turned(turn->turn, canvas);
+    if (const auto* scale = std::get_if<document::ScaleCanvas>(&action))
+        return document::scaled(*scale, canvas);
+    return canvas;
+}
+
+/// The one that it begins on, and those that it comes to have one after another, some of them again
+/// where changes were undone.
 std::vector<document::CanvasSettings> canvases_of(const document::Recording& strokes) {
-    std::vector<document::CanvasSettings> canvases{strokes.canvas};
-    for (const document::Event& event : strokes.events)
-        if (const auto* resize = std::get_if<document::ResizeCanvas>(&event.action))
-            canvases.push_back(document::resized(*resize, canvases.back()));
+    using document::UndoRole;
+    std::vector<document::CanvasSettings> canvases{strokes.canvas}, after_step{strokes.canvas};
+    std::size_t step = 0;
+    for (const document::Event& event : strokes.events) {
+        const UndoRole role = document::undo_role(event.action);
+        if (role == UndoRole::Undo && step > 0) --step;
+        if (role == UndoRole::Redo && step + 1 < after_step.size()) ++step;
+        if (role == UndoRole::Step || role == UndoRole::MaybeStep) {
+            after_step.resize(step + 1);
+            after_step.push_back(after(event.action, after_step[step]));
+            ++step;
+        }
+        if (after_step[step] != canvases.back()) canvases.push_back(after_step[step]);
+    }
     return canvases;
 }
 

@@ -1,5 +1,10 @@
 #include "tools/canvas_resizing.hpp"
 
+#include "core/units.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace pastoso::tools {
@@ -84,6 +89,54 @@ TEST(CanvasResizing, GuidesTurn) {
     EXPECT_EQ(turned.ellipse, (brush::EllipseCurve{34.0, 5.0, 7.0, 8.0, 99.0}));
     EXPECT_EQ(turned.symmetry.axis_deg, 120.0);
     EXPECT_EQ(moved_along(mirrored, mirror).ellipse, hand.ellipse);
+}
+
+TEST(CanvasResizing, OfAScaledCanvasTheWayThereAndBackIsKnown) {
+    const auto with = [](const document::CanvasSettings& settings, double x, double y) {
+        return document::BareCanvas{settings, {}, x, y};
+    };
+    const document::BareCanvas before = with(canvas(), 2.0, 1.0);
+    const document::BareCanvas after = with(document::scaled({1.5, 0.5, 3.0}, canvas()), 2.0 * 1.5, 0.5);
+    const CanvasMove there = move_between(before, after), back = move_between(after, before);
+    EXPECT_EQ(there(glm::dvec2(10.0, 20.0)), glm::dvec2(15.0, 10.0));
+    EXPECT_LT(glm::length(back(glm::dvec2(15.0, 10.0)) - glm::dvec2(10.0, 20.0)), 1e-12);
+    const document::BareCanvas turned = with(document::turned({false, 1}, canvas()), 1.0, 2.0);
+    EXPECT_EQ(move_between(before, turned), move_between(canvas(), turned.settings));
+}
+
+/// How far a point lies from an ellipse, in parts of its size.
+double off(const brush::EllipseCurve& ellipse, const glm::dvec2& point) {
+    const double turn = core::radians(ellipse.turn_deg);
+    const glm::dvec2 from = point - glm::dvec2(ellipse.centre_x_mm, ellipse.centre_y_mm);
+    const double along = from.x * std::cos(turn) + from.y * std::sin(turn);
+    const double across = from.y * std::cos(turn) - from.x * std::sin(turn);
+    return std::hypot(along / ellipse.half_width_mm, across / ellipse.half_height_mm) - 1.0;
+}
+
+TEST(CanvasResizing, GuidesAreDrawnOut) {
+    Hand hand;
+    hand.symmetry = {.centre_x_mm = 30.0, .centre_y_mm = 20.0, .axis_deg = 45.0, .mirror = true};
+    hand.ruler = brush::Ruler{1.0, 2.0, 3.0, 4.0};
+    hand.air.fan_x_mm = 1.0;
+    hand.air.fan_radius_mm = 10.0;
+    for (const double turn_deg : {0.0, 30.0, 75.0, -50.0})
+        for (const double half_height_mm : {3.0, 8.0, 20.0}) {
+            hand.ellipse = brush::EllipseCurve{5.0, 6.0, 8.0, half_height_mm, turn_deg};
+            const Hand moved = moved_along(hand, {{}, {}, {4.0, 1.0}});
+            EXPECT_EQ(moved.ruler, (brush::Ruler{4.0, 2.0, 12.0, 4.0}));
+            EXPECT_NEAR(moved.symmetry.axis_deg, core::degrees(std::atan(0.25)), 1e-9);
+            EXPECT_EQ(moved.air.fan_radius_mm, 20.0);
+            const double turn = core::radians(turn_deg);
+            for (double angle = 0.0; angle < 6.0; angle += 0.37) {
+                const double along = 8.0 * std::cos(angle), across = half_height_mm * std::sin(angle);
+                const double x_mm = 5.0 + along * std::cos(turn) - across * std::sin(turn);
+                const double y_mm = 6.0 + along * std::sin(turn) + across * std::cos(turn);
+                EXPECT_NEAR(off(*moved.ellipse, {4.0 * x_mm, y_mm}), 0.0, 1e-9) << turn_deg;
+            }
+            const brush::EllipseCurve larger = *moved_along(hand, {{}, {}, {1.5, 1.5}}).ellipse;
+            EXPECT_NEAR(larger.half_width_mm, 12.0, 1e-9) << "the same way round";
+            EXPECT_NEAR(larger.half_height_mm, 1.5 * half_height_mm, 1e-9);
+        }
 }
 
 TEST(CanvasResizing, GuidesFollow) {

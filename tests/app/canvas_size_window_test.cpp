@@ -2,12 +2,14 @@
 // and view following.
 #include "app/window_fixture.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
+#include "dialogs/scale_dialog.hpp"
 #include "main/window_parts.hpp"
 
 #include <functional>
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -252,6 +254,88 @@ TEST_F(CanvasSize, AnotherPaintingIsNoCanvasThatWasCut) {
     loaded();
     settle();
     EXPECT_NE(canvas().view_transform(), fitted) << "it is shown whole";
+}
+
+class ScaledImage : public CanvasSize {
+  protected:
+    void in_scale_dialog(const std::function<void(dialogs::ScaleDialog&)>& act) {
+        bool done = false;
+        QTimer::singleShot(0, &window(), [&] {
+            auto* dialog = window().findChild<dialogs::ScaleDialog*>();
+            ASSERT_NE(dialog, nullptr);
+            act(*dialog);
+            done = true;
+            if (dialog->isVisible()) dialog->reject();
+        });
+        QTest::keyClick(&canvas(), Qt::Key_I, Qt::ControlModifier | Qt::AltModifier);
+        EXPECT_TRUE(done);
+        settle();
+    }
+    template <class Child>
+    static Child& child(dialogs::ScaleDialog& dialog, const char* name) {
+        return *dialog.findChild<Child*>(QLatin1String(name));
+    }
+    static QPushButton& scale_ok(dialogs::ScaleDialog& dialog) {
+        return *dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    }
+    static std::string words(dialogs::ScaleDialog& dialog) {
+        return child<QLabel>(dialog, "summary").text().toStdString();
+    }
+    void scale(const char* number, double value) {
+        in_scale_dialog([&](dialogs::ScaleDialog& dialog) {
+            child<QDoubleSpinBox>(dialog, number).setValue(value);
+            ASSERT_TRUE(scale_ok(dialog).isEnabled()) << words(dialog);
+            scale_ok(dialog).click();
+        });
+    }
+};
+
+TEST_F(ScaledImage, ThePaintingIsDrawnOutWithItsGuidesAndUndoBringsItBack) {
+    give(Command::Ruler);
+    studio().easel().move_ruler({10.0, 10.0, 20.0, 20.0});
+    mouse_stroke(line_mm({30.0, 10.0}, {40.0, 20.0}));
+    settle();
+    const brush::Ruler ruler = *studio().easel().hand().ruler;
+    scale("width_mm", 90.0);
+    EXPECT_EQ(size_mm(), glm::dvec2(90.0, 60.0));
+    EXPECT_EQ(session().canvas().px_per_mm, 4.0);
+    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler->x2_mm, 30.0);
+    EXPECT_GT(thickness_at({52.5, 22.5}), 0);
+    give(Command::Undo);
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+    EXPECT_EQ(studio().easel().hand().ruler, ruler);
+}
+
+TEST_F(ScaledImage, OnFinerCellsTheStrokesGoOn) {
+    mouse_stroke(line_mm({30.0, 10.0}, {40.0, 20.0}));
+    settle();
+    scale("px_per_mm", 8.0);
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+    EXPECT_EQ(session().canvas().px_per_mm, 8.0);
+    EXPECT_EQ(session().snapshot()->film.shape, (grid::Shape{480, 320}));
+    mouse_stroke(line_mm({10.0, 30.0}, {20.0, 30.0}));
+    settle();
+    EXPECT_GT(session().snapshot()->film.thickness.at(120, 240), 0);
+    EXPECT_GT(session().snapshot()->film.thickness.at(280, 120), 0);
+}
+
+TEST_F(ScaledImage, TheDialogSaysWhatBecomesOfTheImage) {
+    in_scale_dialog([&](dialogs::ScaleDialog& dialog) {
+        EXPECT_FALSE(scale_ok(dialog).isEnabled());
+        EXPECT_THAT(words(dialog), HasSubstr("has this size"));
+        child<QDoubleSpinBox>(dialog, "height_mm").setValue(20.0);
+        EXPECT_EQ(child<QDoubleSpinBox>(dialog, "width_mm").value(), 30.0);
+        EXPECT_THAT(words(dialog), HasSubstr("120 × 80 pixels, 102 dpi"));
+        EXPECT_THAT(words(dialog), HasSubstr("0.25 times as much"));
+        child<QCheckBox>(dialog, "proportions").setChecked(false);
+        child<QDoubleSpinBox>(dialog, "height_mm").setValue(40.0);
+        EXPECT_EQ(child<QDoubleSpinBox>(dialog, "width_mm").value(), 30.0);
+        EXPECT_EQ(dialog.wanted(), (document::ScaleCanvas{0.5, 1.0, 1.0}));
+        child<QDoubleSpinBox>(dialog, "px_per_mm").setValue(70.0);
+        EXPECT_FALSE(scale_ok(dialog).isEnabled());
+        EXPECT_THAT(words(dialog), HasSubstr("between 0.25 and 64"));
+    });
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
 }
 
 }  // namespace

@@ -105,6 +105,25 @@ TEST_F(RepaintingTest, TermsAreToldBefore) {
                                      HasSubstr("its support is a picture")));
 }
 
+TEST_F(RepaintingTest, TermsCountEverySizeThatTheCanvasComesToHave) {
+    Recording strokes = one_stroke(10.0, true);
+    const auto cells_after = [&](std::initializer_list<Action> actions) {
+        Recording longer = strokes;
+        for (const Action& action : actions)
+            longer.events.push_back({40, action});
+        return repainting_terms(longer, "a", kPlenty_bytes);
+    };
+    const ScaleCanvas doubled{1.0, 1.0, 2.0};
+    EXPECT_EQ(cells_after({doubled}).cells, (grid::Shape{600, 400}));
+    EXPECT_EQ(cells_after({TurnCanvas{{false, 1}}, ResizeCanvas{0, 0, 20, 50}}).cells,
+              (grid::Shape{200, 500}));
+    const RepaintingTerms undone = cells_after({doubled, Undo{}});
+    EXPECT_EQ(undone.cells, (grid::Shape{300, 200}));
+    EXPECT_EQ(undone.memory_bytes, cells_after({doubled}).memory_bytes) << "meanwhile";
+    EXPECT_EQ(cells_after({doubled, Undo{}, doubled, Undo{}, doubled}).cells, (grid::Shape{600, 400}));
+    EXPECT_EQ(cells_after({doubled, Undo{}, Redo{}}).cells, (grid::Shape{600, 400}));
+}
+
 TEST_F(RepaintingTest, WhatCannotBeIsRefused) {
     EXPECT_THAT(refusal({}, kPlenty_bytes), HasSubstr("a: holds no strokes"));
     EXPECT_THAT(refusal(one_stroke(10.0, true), 1000), HasSubstr("a: A canvas of 30 x 20 mm"));

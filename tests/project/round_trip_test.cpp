@@ -273,6 +273,29 @@ TEST_F(ProjectRoundTrip, ACanvasThatWasTurnedComesBackAndReplays) {
     }
 }
 
+TEST_F(ProjectRoundTrip, ACanvasThatWasScaledComesBackAndReplays) {
+    document::Recording recording = busy_session();
+    recording.events.push_back({recording.end_tick, document::ResizeCanvas{-7, 4, 50, 31}});
+    recording.events.push_back({recording.end_tick, document::ScaleCanvas{1.25, 0.9, 1.6}});
+    recording.end_tick += 20;
+    for (const char* support : {"medium linen", "gesso panel"}) {
+        recording.canvas.support = support;
+        const auto painting = played(recording, recording.end_tick, pool);
+        const Project project = project_of(*painting, recording);
+        const LoadedProject loaded = saved_and_loaded(project);
+        expect_equal(loaded.painting, project.painting);
+        EXPECT_THAT(loaded.notes, IsEmpty()) << "the cloth that is made anew is the same";
+        EXPECT_EQ(played(loaded.strokes, loaded.strokes.end_tick, pool)->state_hash(),
+                  painting->state_hash());
+        document::Painting again(loaded.painting, pool), kept(project.painting, pool);
+        for (document::Painting* one : {&again, &kept}) {
+            one->apply(document::ScaleCanvas{1.0, 1.0, 0.5});
+            one->advance_tick();
+        }
+        EXPECT_EQ(again.state_hash(), kept.state_hash());
+    }
+}
+
 TEST_F(ProjectRoundTrip, CopiedPaintIsPastedAfterwardsAlike) {
     auto painting = played(busy_session(), 85, pool);
     painting->apply(document::SelectArea{{{3, 2}, {40.2, 5}, {31, 28.7}, {12, 20}}});

@@ -112,6 +112,7 @@ Recording everything() {
         {45, PastePaint{"Piece", 3.5, -20}},
         {45, TurnCanvas{{true, 2}}},
         {45, TurnCanvas{{false, 1}}},
+        {45, ScaleCanvas{1.25, 0.5, 2.5}},
         {45, InvertSelection{}},
         {45, TransformLayer{2, {10, 12.5, -3, 4, 30, 0.5, -2}}},
         {46, SelectPaint{Combination::Add}},
@@ -443,6 +444,8 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 12,")) << arithmetic;
         recording.events = {{0, FillWithPaint{}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 12,")) << arithmetic;
+        recording.events = {{0, ScaleCanvas{2.0, 2.0, 1.0}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 13,")) << arithmetic;
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "appearance/picture_view.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
+#include "dialogs/scale_dialog.hpp"
 #include "panels/parts/status_readings.hpp"
 #include "session/layer_painter.hpp"
 #include "tools/canvas_resizing.hpp"
@@ -52,6 +53,7 @@ bool is_canvas_lent(Studio& studio) {
 CanvasSizing::CanvasSizing(Studio& studio, Loading& loading, panels::StatusReadings* readings)
     : studio_(studio), loading_(loading), readings_(readings) {
     studio_.commands().on(Command::CanvasSize, [this](bool) { ask(); });
+    studio_.commands().on(Command::ScaleImage, [this](bool) { ask_for_scale(); });
     studio_.commands().on(Command::CropToSelection, [this](bool) { crop_to_selection(); });
     for (const auto& [command, orientation] : kTurns)
         studio_.commands().on(command, [this, to = orientation](bool) { turn(to); });
@@ -86,6 +88,13 @@ void CanvasSizing::turn(const core::Orientation& turn) {
     if (!is_canvas_lent(studio_)) studio_.easel().turn_canvas({turn});
 }
 
+void CanvasSizing::ask_for_scale() {
+    if (is_canvas_lent(studio_)) return;
+    studio_.catch_up();
+    dialogs::ScaleDialog dialog(studio_.session().snapshot()->bare->settings, &studio_.window());
+    if (dialog.exec() == QDialog::Accepted) studio_.easel().scale_canvas(dialog.wanted());
+}
+
 void CanvasSizing::resize(const document::ResizeCanvas& resize) {
     loading_.begin(
         tr("Making the canvas"), [this, resize, bare = studio_.session().snapshot()->bare](const auto&) {
@@ -110,18 +119,20 @@ void CanvasSizing::put_up(const document::ResizedCanvas& canvas) {
                        .arg(shown.height_mm));
 }
 
-/// Where the same canvas was cut, made larger or turned, guides follow what lies on it, and how far its
-/// middle came to lie from where it was is told.
+/// Where the same canvas was cut, made larger, turned or scaled, guides follow what lies on it. How far
+/// its middle came to lie from where it was is told, unless it was scaled.
 /// What a recording does to them that is being played stands in the recording.
 std::optional<glm::dvec2> CanvasSizing::follow(std::shared_ptr<const document::BareCanvas> bare) {
     const auto before = std::exchange(shown_bare_, std::move(bare));
     if (before == nullptr || before->settings == shown_bare_->settings) return std::nullopt;
-    const tools::CanvasMove move = tools::move_between(before->settings, shown_bare_->settings);
+    const tools::CanvasMove move = tools::move_between(*before, *shown_bare_);
     Q_EMIT resized();
     if (move != tools::CanvasMove{} && !studio_.easel().brush_is_lent()) {
         studio_.easel().move_along(move);
         studio_.show_hand();
     }
+    const bool same_cells = before->settings.px_per_mm == shown_bare_->settings.px_per_mm;
+    if (move.scale != glm::dvec2(1.0) || !same_cells) return std::nullopt;
     return tools::shift_of_middle_mm(before->settings, move);
 }
 

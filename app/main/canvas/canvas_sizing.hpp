@@ -25,6 +25,7 @@ class CanvasSizing : public QObject {
 
     /// Begins to make the canvas that is wished for, beside the window; it is put up once it is there,
     /// with what was painted meanwhile.
+    void ask_for_scale();
     void resize(const document::ResizeCanvas& resize);
 
   Q_SIGNALS:

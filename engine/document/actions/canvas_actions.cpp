@@ -16,6 +16,15 @@ SharedTracing moved(const layers::Tracing& tracing, double x_mm, double y_mm) {
     return elsewhere;
 }
 
+/// Where the picture lies on a canvas that has been drawn out.
+SharedTracing scaled(const layers::Tracing& tracing, const ScaleCanvas& scale) {
+    auto elsewhere = std::make_shared<layers::Tracing>(tracing);
+    layers::PicturePlace& place = elsewhere->place;
+    place = {scale.scale_x * place.x_mm, scale.scale_y * place.y_mm, scale.scale_x * place.width_mm,
+             scale.scale_y * place.height_mm};
+    return elsewhere;
+}
+
 }  // namespace
 
 void put_in_hand(const TiltCanvas& tilt, PaintingValue& painting) {
@@ -61,6 +70,23 @@ void apply(const TurnCanvas& turn, LivingPainting& painting) {
                            value.film.shape.height * value.film.cell_mm));
     value.selection = turned(value.selection, turn.turn, painting.pool);
     painting.canvas.turn(turn.turn, std::move(bare));
+}
+
+bool changes_anything(const ScaleCanvas& scale, const LivingPainting&) {
+    return scale != ScaleCanvas{};
+}
+
+void apply(const ScaleCanvas& scale, LivingPainting& painting) {
+    PaintingValue& value = painting.value;
+    const CanvasSettings& before = value.bare->settings;
+    const layers::Resampling resampling = resampling_of(scale, before);
+    auto bare = std::make_shared<const BareCanvas>(scaled(scale, *value.bare, painting.pool));
+    painting.forget_run_off();
+    const brush::Contents lay = painting.contents_of(painting.canvas.paint());
+    painting.canvas.scale(resampling, std::move(bare));
+    painting.book(lay, painting.contents_of(painting.canvas.paint()));
+    value.selection = resampled(value.selection, resampling);
+    if (value.tracing) value.tracing = scaled(*value.tracing, scale);
 }
 
 }  // namespace pastoso::document

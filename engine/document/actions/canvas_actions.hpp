@@ -38,7 +38,17 @@ struct TurnCanvas {
     friend bool operator==(const TurnCanvas&, const TurnCanvas&) = default;
 };
 
-using CanvasActions = ActionList<TiltCanvas, ResizeCanvas, TurnCanvas>;
+/// Draws the canvas out with all that lies on it, and makes it of finer or coarser cells: layers,
+/// selection and tracing. Paint keeps its thickness. The cloth is the same, with threads as wide as they
+/// were; an image is drawn out too. Guides, symmetry and fan stay at their millimetres.
+struct ScaleCanvas {
+    double scale_x = 1.0, scale_y = 1.0;  ///< of the sides in mm
+    double finer = 1.0;                   ///< cells a millimetre, times those there were
+    friend bool operator==(const ScaleCanvas&, const ScaleCanvas&) = default;
+};
+inline constexpr double kLeastCanvasScale = 0.05, kMostCanvasScale = 20.0;
+
+using CanvasActions = ActionList<TiltCanvas, ResizeCanvas, TurnCanvas, ScaleCanvas>;
 
 void put_in_hand(const TiltCanvas& tilt, PaintingValue& painting);
 TiltCanvas in_hand(std::type_identity<TiltCanvas>, const PaintingValue& painting);
@@ -47,6 +57,8 @@ void apply(const ResizeCanvas& resize, LivingPainting& painting);
 bool changes_anything(const TurnCanvas& turn, const LivingPainting& painting);
 UndoStep undo_step(const TurnCanvas& turn, const LivingPainting& painting);
 void apply(const TurnCanvas& turn, LivingPainting& painting);
+bool changes_anything(const ScaleCanvas& scale, const LivingPainting& painting);
+void apply(const ScaleCanvas& scale, LivingPainting& painting);
 
 template <>
 struct Table<TiltCanvas> {
@@ -98,6 +110,25 @@ struct Table<TurnCanvas> {
                                                                    Presence::Optional});
         visit(Whole<At<&TurnCanvas::turn, &Orientation::quarter_turns>>{
             "quarter_turns", core::Pattern<0>("number of quarter turns"), 0, 3, Presence::Optional});
+    }
+};
+
+template <>
+struct Table<ScaleCanvas> {
+    static constexpr ActionTraits kTraits = possible_change(
+        "scale_canvas", 13, step_name("Painting scaled"),
+        "the canvas with all that lies on it is drawn out, and made of finer or coarser cells; paint "
+        "keeps its thickness ([0085](decisions/0085-scaled-canvases.md)). Millimetres count on the new "
+        "canvas ever after");
+    static constexpr void fields(auto&& visit) {
+        using enum Presence;
+        visit(Number<At<&ScaleCanvas::scale_x>>{"scale_x", core::Pattern<0>("scale of the width"), "",
+                                                kLeastCanvasScale, kMostCanvasScale, Optional});
+        visit(Number<At<&ScaleCanvas::scale_y>>{"scale_y", core::Pattern<0>("scale of the height"), "",
+                                                kLeastCanvasScale, kMostCanvasScale, Optional});
+        visit(Number<At<&ScaleCanvas::finer>>{"finer", core::Pattern<0>("change of the resolution"), "",
+                                              kLeastCanvasScale, kMostCanvasScale, Optional,
+                                              "cells a millimetre, times those there were"});
     }
 };
 

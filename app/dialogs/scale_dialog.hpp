@@ -1,0 +1,40 @@
+// Asks for another size of the whole painting, in millimetres and in cells.
+#pragma once
+
+#include "dialogs/growing_dialog.hpp"
+#include "document/events.hpp"
+
+class QCheckBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QLabel;
+
+namespace pastoso::dialogs {
+
+class ScaleDialog : public GrowingDialog {
+    Q_OBJECT
+  public:
+    explicit ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent = nullptr);
+
+    document::ScaleCanvas wanted() const;
+
+  private:
+    /// One number and what it was before.
+    struct Number {
+        QDoubleSpinBox* box = nullptr;
+        double before = 0.0;
+        double change() const;
+    };
+    Number add_number(QDoubleSpinBox* box, const QString& name, double value, const QString& suffix);
+    void keep_proportions(const Number& set, const Number& other);
+    void show_outcome();
+    void show_possible(bool possible, const QString& words);
+
+    document::CanvasSettings canvas_;
+    Number width_, height_, density_;
+    QCheckBox* proportions_ = nullptr;
+    QLabel* summary_ = nullptr;
+    QDialogButtonBox* buttons_ = nullptr;
+};
+
+}  // namespace pastoso::dialogs
