@@ -85,6 +85,7 @@ struct Inventory {
         paints.insert(paint_text(fill.paint));
         if (!fill.line.empty()) paints.insert(paint_text(fill.second));
     }
+    void operator()(const document::ToneGround& tone) { paints.insert(paint_text(tone.paint)); }
     void operator()(const document::PenDown& pen) {
         ++strokes;
         well_strokes += pen.surface == document::Surface::Well ? 1 : 0;

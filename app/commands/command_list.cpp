@@ -185,6 +185,9 @@ constexpr CommandText kCommands[] = {
         true},
     CommandText{Command::FillThickness, kPaint, QT_TR_NOOP("&Thickness of fills..."), "",
                 QT_TR_NOOP("How thick a film of paint fills and gradients pour")},
+    CommandText{Command::ToneGround, kPaint, QT_TR_NOOP("Toned g&round..."), "",
+                QT_TR_NOOP("Cover the whole canvas with a dry coat of the paint in hand, below all "
+                           "layers")},
     CommandText{Command::AddLayer, kLayer, QT_TR_NOOP("&New layer"), "Ins",
                 QT_TR_NOOP("A bare layer above the one that you paint on")},
     CommandText{Command::LayerFromPicture, kLayer, QT_TR_NOOP("From a &picture..."), "Ctrl+Shift+O",

@@ -74,6 +74,7 @@ enum class Command {
     FillSecond,
     FillGradient,
     FillThickness,
+    ToneGround,
     AddLayer,
     LayerFromPicture,
     DuplicateLayer,

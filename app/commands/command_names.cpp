@@ -83,6 +83,7 @@ constexpr Name kNames[] = {
     {Command::FillSecond, "fill_second"},
     {Command::FillGradient, "fill_gradient"},
     {Command::FillThickness, "fill_thickness"},
+    {Command::ToneGround, "tone_ground"},
     {Command::AddLayer, "add_layer"},
     {Command::LayerFromPicture, "layer_from_picture"},
     {Command::DuplicateLayer, "duplicate_layer"},

@@ -302,6 +302,11 @@ void Easel::transform(const TransformLayer& transform) {
     post_(transform);
 }
 
+void Easel::tone_ground(const ToneGround& tone) {
+    end_stroke();
+    post_(tone);
+}
+
 void Easel::fill(const FillWithPaint& fill) {
     end_stroke();
     post_(fill);

@@ -113,6 +113,7 @@ class Easel {
     void scale_canvas(const document::ScaleCanvas& scale);
     void transform(const document::TransformLayer& transform);
     void fill(const document::FillWithPaint& fill);
+    void tone_ground(const document::ToneGround& tone);
     void undo();
     void redo();
 

@@ -380,6 +380,18 @@ LayerPaint LayeredCanvas::paint_picture(const PaintPicture& paint) {
     return taken;
 }
 
+LayerPaint LayeredCanvas::lay_ground(const std::string& name, film::FilmState ground) {
+    LayerPaint taken = paint_on(ground);
+    rearrange([&](LayerStack& stack) {
+        check_room(stack);
+        stack.layers.insert(stack.layers.begin(), Layer{.id = stack.next_layer++,
+                                                        .look = {.name = name},
+                                                        .inactive = inactive_film(std::move(ground))});
+        ++stack.active;
+    });
+    return taken;
+}
+
 LayerPaint LayeredCanvas::pour(const film::FilmState& poured) {
     rearrange([&](LayerStack& stack) {
         InactiveFilm& layer = stack.layers[stack.active].inactive;

@@ -92,6 +92,8 @@ class LayeredCanvas {
     void flatten();
     LayerPaint paint_picture(const PaintPicture& paint);  ///< what came out of the tubes
     /// Puts a film that is apart from what it lies on onto the active layer. What came out of the tubes.
+    /// Below all layers, on one of that name. Returns what it holds.
+    LayerPaint lay_ground(const std::string& name, film::FilmState ground);
     LayerPaint pour(const film::FilmState& poured);
     LayerPaint duplicate(const DuplicateLayer& duplicate);  ///< what came out of the tubes
     LayerPaint paste(const PastePaint& paste, const film::FilmState& copied);  ///< the same

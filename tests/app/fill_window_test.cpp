@@ -101,5 +101,25 @@ TEST_F(FillWindow, TheThicknessIsAskedForAndStays) {
     EXPECT_NEAR(volume_mm3(), canvas_mm2() * 0.5, 0.01);
 }
 
+TEST_F(FillWindow, AGroundIsTonedWithThePaintInHand) {
+    give(Command::ToneGround);
+    auto* dialog = window().findChild<dialogs::ThicknessDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QDoubleSpinBox*>()->setValue(0.05);
+    dialog->accept();
+    settle();
+    const auto layers = session().snapshot()->layers;
+    ASSERT_EQ(layers->layers.size(), 2U);
+    EXPECT_EQ(layers->layers[0].look.name, "Ground");
+    EXPECT_EQ(layers->active, 1U);
+    session().wait_until_applied();
+    const auto tone = std::get<document::ToneGround>(session().recording().events.back().action);
+    EXPECT_EQ(tone.thickness_mm, 0.05);
+    EXPECT_EQ(tone.paint, studio().easel().hand().paint);
+    EXPECT_EQ(volume_mm3(), 0.0) << "nothing of it is wet";
+    give(Command::Undo);
+    EXPECT_EQ(session().snapshot()->layers->layers.size(), 1U);
+}
+
 }  // namespace
 }  // namespace pastoso::tests

@@ -199,5 +199,79 @@ TEST_F(FillTest, WhatCannotBeFilledIsRefused) {
     EXPECT_EQ(painting.account().taken.volume_mm3, 0.0);
 }
 
+class ToningTest : public FillTest {
+  protected:
+    film::FilmState ground() const { return *painting.layers().layers[0].inactive; }
+    ToneGround grey{paint_of("PBk9"), 0.1, "Ground"};
+};
+
+TEST_F(ToningTest, AnEvenDryCoatLiesBelowAllLayersOnItsOwn) {
+    painting.apply(TakeBrush{"flat", 8, 1});
+    painting.apply(load_of("PB29"));
+    paint_wave(painting, 0.0, 10.0);
+    const Account before = painting.account();
+    painting.apply(grey);
+    ASSERT_EQ(painting.layers().layers.size(), 2U);
+    EXPECT_EQ(painting.layers().layers[0].look.name, "Ground");
+    EXPECT_EQ(painting.layers().active, 1U) << "the same one is painted on";
+    EXPECT_FALSE(film::has_wet_paint(ground()));
+    const float relief_mm = ground().support_mm.at(0, 0);
+    EXPECT_GT(relief_mm, 0.02F);
+    EXPECT_LT(relief_mm, 0.1F) << "its water is gone";
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x) {
+            ASSERT_EQ(ground().support_mm.at(x, y), relief_mm);
+            ASSERT_EQ(ground().strata.optics.at(x, y), ground().strata.optics.at(0, 0));
+        }
+    const Account after = painting.account();
+    EXPECT_EQ(after.canvas.volume_mm3, before.canvas.volume_mm3);
+    EXPECT_NEAR(after.taken.volume_mm3 - before.taken.volume_mm3, 40.0 * 30.0 * 0.1, 1e-4);
+    expect_balance();
+    EXPECT_EQ(painting.undo_steps().back().step.name, "Ground toned");
+    painting.advance_tick();
+    expect_balance();
+}
+
+TEST_F(ToningTest, ItCoversWithoutRegardToTheSelectionAndUndoTakesItBack) {
+    painting.apply(left_half());
+    const std::uint64_t before = painting.state_hash();
+    painting.apply(grey);
+    EXPECT_EQ(ground().support_mm.at(159, 119), ground().support_mm.at(0, 0));
+    const std::uint64_t toned = painting.state_hash();
+    painting.apply(Undo{});
+    EXPECT_EQ(painting.state_hash(), before);
+    painting.apply(Redo{});
+    EXPECT_EQ(painting.state_hash(), toned);
+    painting.apply(grey);
+    EXPECT_EQ(painting.layers().layers.size(), 3U) << "one upon another";
+    expect_balance();
+}
+
+TEST_F(ToningTest, WhatIsSeenIsThePaint) {
+    painting.apply(AddLayer{"Above"});
+    painting.apply(grey);
+    const film::FilmState seen = painting.snapshot().film;
+    EXPECT_EQ(seen.strata.optics.at(80, 60), ground().strata.optics.at(80, 60));
+    EXPECT_NE(seen.strata.optics.at(80, 60), film::kClearStrata);
+}
+
+TEST_F(ToningTest, ItIsTheSameOnFinerCells) {
+    Painting finer(panel_of(7.0), pool);
+    finer.apply(UseMedium{"soft-body acrylic"});
+    finer.apply(grey);
+    painting.apply(grey);
+    const film::FilmState fine = *finer.layers().layers[0].inactive;
+    EXPECT_EQ(fine.support_mm.at(3, 4), ground().support_mm.at(3, 4));
+    EXPECT_EQ(fine.strata.optics.at(3, 4), ground().strata.optics.at(3, 4));
+}
+
+TEST_F(ToningTest, WhatCannotBeIsRefused) {
+    grey.thickness_mm = 5.0;
+    EXPECT_THAT(error_of([&] { painting.apply(grey); }), HasSubstr("thickness of the film is 5 mm"));
+    grey = {paint_of("nothing"), 0.1, "Ground"};
+    EXPECT_THAT(error_of([&] { painting.apply(grey); }), HasSubstr("nothing"));
+    EXPECT_EQ(painting.layers().layers.size(), 1U);
+}
+
 }  // namespace
 }  // namespace pastoso::document

@@ -122,6 +122,7 @@ Recording everything() {
         {46, BorderSelection{1.5}},
         {47, FillWithPaint{{{{"PB29", 1.0}}, 0.5}, 0.35, {{{"PW6", 1.0}}}, {{5, 10}, {40.5, 30}}}},
         {47, FillWithPaint{{{{"PB29", 1.0}}}}},
+        {47, ToneGround{{{{"PBr7", 2.0}, {"PW6", 1.0}}}, 0.05, "Ground"}},
         {48, SelectAll{}},
     };
     recording.end_tick = 100;

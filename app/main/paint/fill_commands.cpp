@@ -17,6 +17,7 @@ FillCommands::FillCommands(Studio& studio, panels::BrushPanel* brushes) : studio
                           [this](bool) { pour({.paint = studio_.easel().hand().second_paint}); });
     studio_.commands().on(Command::FillGradient, [this](bool on) { draw_gradients(on); });
     studio_.commands().on(Command::FillThickness, [this](bool) { ask_thickness(); });
+    studio_.commands().on(Command::ToneGround, [this](bool) { ask_for_ground(); });
     connect(brushes, &panels::BrushPanel::brush_taken, this, &FillCommands::end_gradients);
     listen_to_line();
 }
@@ -48,14 +49,46 @@ void FillCommands::draw_gradients(bool on) {
 }
 
 void FillCommands::pour(document::FillWithPaint fill) {
-    if (studio_.easel().brush_is_lent())
-        return studio_.report(tr("A recording is being played; the paint is yours when it has ended."));
+    if (studio_.easel().brush_is_lent()) return report_lent();
     fill.thickness_mm = thickness_mm_;
     studio_.easel().fill(fill);
     const QString words = studio_.session().snapshot()->selection == nullptr
                               ? tr("%1 mm of paint are poured over the whole canvas.")
                               : tr("%1 mm of paint are poured over what is selected.");
     studio_.report(words.arg(thickness_mm_));
+}
+
+void FillCommands::ask_for_ground() {
+    if (studio_.easel().brush_is_lent()) return report_lent();
+    auto* dialog = new dialogs::ThicknessDialog(
+        {.title = tr("Toned ground"),
+         .explanation =
+             tr("An even coat of the paint in hand covers the whole canvas, dry at once, on a "
+                "layer below all others: 0.02 mm tints the canvas, 0.1 mm covers it."),
+         .name = tr("Thickness"),
+         .button = tr("Tone the ground"),
+         .least_mm = document::kLeastFill_mm,
+         .most_mm = document::kMostFill_mm,
+         .proposal_mm = ground_mm_},
+        &studio_.window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        ground_mm_ = dialog->chosen_mm();
+        tone_ground();
+    });
+    dialog->show();
+}
+
+/// A recording may have begun to be played since the dialog was opened.
+void FillCommands::tone_ground() {
+    if (studio_.easel().brush_is_lent()) return report_lent();
+    studio_.easel().tone_ground({.paint = studio_.easel().hand().paint,
+                                 .thickness_mm = ground_mm_,
+                                 .name = tr("Ground").toStdString()});
+}
+
+void FillCommands::report_lent() {
+    studio_.report(tr("A recording is being played; the paint is yours when it has ended."));
 }
 
 void FillCommands::ask_thickness() {

@@ -27,10 +27,14 @@ class FillCommands : public QObject {
     void draw_gradients(bool on);
     void pour(document::FillWithPaint fill);
     void ask_thickness();
+    void ask_for_ground();
+    void tone_ground();
+    void report_lent();
 
     Studio& studio_;
     bool drawing_ = false;
     double thickness_mm_ = document::FillWithPaint{}.thickness_mm;
+    double ground_mm_ = document::ToneGround{}.thickness_mm;
 };
 
 }  // namespace pastoso::main

@@ -3,9 +3,11 @@
 #include "document/actions/field_checks.hpp"
 #include "document/living_painting.hpp"
 #include "document/paint_mixing.hpp"
+#include "film/cell/drying.hpp"
 #include "layers/poured_film.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace pastoso::document {
 namespace {
@@ -53,6 +55,21 @@ void apply(const FillWithPaint& fill, LivingPainting& painting) {
         layers::poured_film(poured_paint(fill, painting.medium, film.cell_mm), film.shape, film.cell_mm,
                             painting.value.selection.get(), painting.pool);
     painting.value.flows.taken += painting.contents_of(painting.canvas.pour(poured));
+}
+
+void check_whole(const ToneGround& tone) {
+    check_paint(tone.paint);
+}
+
+void apply(const ToneGround& tone, LivingPainting& painting) {
+    const film::FilmState& film = painting.value.film;
+    const layers::PouredPaint coat{.medium = painting.medium,
+                                   .paint = mixed_paint(tone.paint, painting.medium),
+                                   .thickness_mm = tone.thickness_mm};
+    film::FilmState ground = layers::poured_film(coat, film.shape, film.cell_mm, nullptr, painting.pool);
+    film::dry_now(ground, painting.pool);
+    painting.value.flows.taken +=
+        painting.contents_of(painting.canvas.lay_ground(tone.name, std::move(ground)));
 }
 
 }  // namespace pastoso::document

@@ -1,10 +1,12 @@
 // How a painter covers an area with an even film of wet paint at once.
 #pragma once
 
+#include "document/actions/layer_actions.hpp"
 #include "document/actions/selection_actions.hpp"
 #include "document/actions/table.hpp"
 #include "document/paint_recipe.hpp"
 
+#include <string>
 #include <vector>
 
 namespace pastoso::document {
@@ -30,12 +32,23 @@ struct FillWithPaint {
     friend bool operator==(const FillWithPaint&, const FillWithPaint&) = default;
 };
 
-using FillActions = ActionList<FillWithPaint>;
+/// Lays an even coat of paint of the medium in hand over the whole canvas, dry at once, below all layers
+/// and on one of its own. It comes out of the tubes.
+struct ToneGround {
+    PaintRecipe paint{};
+    double thickness_mm = 0.1;  ///< while it is wet; kLeastFill_mm to kMostFill_mm
+    std::string name;           ///< of its layer
+    friend bool operator==(const ToneGround&, const ToneGround&) = default;
+};
+
+using FillActions = ActionList<FillWithPaint, ToneGround>;
 
 void check_whole(const FillWithPaint& fill);
 void check_possible(const FillWithPaint& fill, const LivingPainting& painting);
 UndoStep undo_step(const FillWithPaint& fill, const LivingPainting& painting);
 void apply(const FillWithPaint& fill, LivingPainting& painting);
+void check_whole(const ToneGround& tone);
+void apply(const ToneGround& tone, LivingPainting& painting);
 
 template <>
 struct Table<FillWithPaint> {
@@ -54,6 +67,23 @@ struct Table<FillWithPaint> {
         visit(Value<At<&FillWithPaint::line>>{
             "line_mm", "line of the gradient", Optional,
             "two points `[x, y]`: from the first paint to the second one; none: all is of the first"});
+    }
+};
+
+template <>
+struct Table<ToneGround> {
+    static constexpr ActionTraits kTraits = change(
+        "tone_ground", 13, step_name("Ground toned"),
+        "lays an even dry coat of paint, of the medium in hand, over the whole canvas, below all layers "
+        "and on one of its own; it comes out of the tubes");
+    static constexpr void fields(auto&& visit) {
+        using enum Presence;
+        visit(Value<At<&ToneGround::paint>>{"paint", "paint", Required});
+        visit(Number<At<&ToneGround::thickness_mm>>{
+            "thickness_mm", core::Pattern<0>("thickness of the film"), "mm", kLeastFill_mm, kMostFill_mm,
+            Written, "while it is wet"});
+        visit(Text<At<&ToneGround::name>>{"name", core::Pattern<0>("name of a layer"), kMostLayerName,
+                                          Required});
     }
 };
 
