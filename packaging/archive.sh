@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Makes one archive that runs where nothing of Pastoso's is installed, with its own Qt: unpack it and start bin/pastoso. It
-# needs a glibc not older than the newest function of it that is used (the script tells), and the graphics drivers of the
-# system; fonts are the system's.
+# takes from the system the C and C++ libraries, the graphics drivers and what these use, and fonts (docs/packaging.md).
 #
 # Usage: packaging/archive.sh [FOLDER]
 #   FOLDER   where to leave pastoso-VERSION-linux-ARCHITECTURE.tar.zst; build/packages otherwise
@@ -16,8 +15,14 @@ case "${1-}" in
     *) folder="$1" ;;
 esac
 
-# The C library, and what belongs to the graphics drivers: those of the system are the ones that fit it.
-of_the_system='^(ld-linux.*|lib(c|m|dl|pthread|rt|resolv|util|nsl|anl|mvec|BrokenLocale|thread_db|nss_.*)\.so.*|lib(GL|GLX|EGL|OpenGL|GLdispatch|drm.*|gbm|glapi)\.so.*)$'
+# What the oldest systems that the archive is for have of the C and C++ libraries, both of spring 2022: Ubuntu 22.04, Fedora 36.
+readonly newest_needed=(GLIBC_2.35 GLIBCXX_3.4.30 CXXABI_1.3.13)
+
+# What belongs to the system: the C and C++ libraries, the graphics drivers, and those that both drivers and we use. A driver is
+# made for its own system's, a program has each only once, and an older one of ours would lack what a newer driver asks for.
+readonly of_c='ld-linux.*|lib(c|m|dl|pthread|rt|resolv|util|nsl|anl|mvec|BrokenLocale|thread_db|nss_.*|stdc\+\+|gcc_s)'
+readonly of_drivers='lib(GL|GLX|EGL|OpenGL|GLdispatch|drm.*|gbm|glapi|expat|Xau|Xdmcp|X11|X11-xcb|xcb|xcb-dri[23]|xcb-present|wayland-(client|server))'
+readonly of_the_system="^($of_c|$of_drivers)\.so(\..*)?$"
 
 # The libraries that a program or library is linked to, but for the system's.
 libraries_of() {
@@ -27,16 +32,15 @@ libraries_of() {
 }
 
 # What Qt opens by itself: windows, input and decorations on X11 and Wayland, pictures and icons in SVG.
-plugins=(egldeviceintegrations generic iconengines imageformats/libqsvg.so imageformats/libqjpeg.so platforminputcontexts
-    platforms/libqxcb.so platforms/libqoffscreen.so platforms/libqwayland-egl.so platforms/libqwayland-generic.so
-    platformthemes/libqxdgdesktopportal.so wayland-decoration-client wayland-graphics-integration-client
-    wayland-shell-integration xcbglintegrations)
+plugins=(iconengines imageformats/libqsvg.so imageformats/libqjpeg.so platforminputcontexts platforms/libqxcb.so
+    platforms/libqoffscreen.so platforms/libqwayland-egl.so platforms/libqwayland-generic.so wayland-decoration-client
+    wayland-graphics-integration-client wayland-shell-integration xcbglintegrations)
 
 add_plugins() {
     local plugin from
     from="$(qmake6 -query QT_INSTALL_PLUGINS)"
     for plugin in "${plugins[@]}"; do
-        [[ -e $from/$plugin ]] || continue
+        [[ -e $from/$plugin ]] || fail "there is no $from/$plugin; it is what Qt opens windows and pictures with."
         mkdir -p "$tree/lib/qt6/plugins/$(dirname -- "$plugin")"
         cp -r -- "$from/$plugin" "$tree/lib/qt6/plugins/$(dirname -- "$plugin")/"
     done
@@ -62,7 +66,23 @@ find_libraries_beside() {
     done
 }
 
-needed_glibc() { for file in $(programs_and_plugins); do objdump -T "$file" | grep -o 'GLIBC_2\.[0-9]*'; done | sort -Vu | tail -n 1; }
+# Lines "VERSION FILE": of the C and C++ libraries' functions that files are linked to.
+versions_needed() {
+    local file
+    for file in $(programs_and_plugins); do
+        objdump -p "$file" | sed -nE "s#^.* ((GLIBC|GLIBCXX|CXXABI)_[A-Z0-9_.]+)\$#\1 ${file#"$tree/"}#p"
+    done
+}
+
+check_versions() {
+    local needed newest version file
+    needed="$(versions_needed | sort -V)"
+    for newest in "${newest_needed[@]}"; do
+        read -r version file <<<"$(grep "^${newest%%_*}_" <<<"$needed" | tail -n 1)"
+        [[ $(printf '%s\n' "$version" "$newest" | sort -V | tail -n 1) == "$newest" ]] ||
+            fail "$file needs $version, and the oldest systems that the archive is for have $newest."
+    done
+}
 
 built="$root/build/archive"
 "$root/packaging/install.sh" build run archive
@@ -79,7 +99,8 @@ done
 add_plugins
 add_libraries
 find_libraries_beside
-say "Packing; it needs $(needed_glibc)"
+check_versions
+say "Packing; it needs nothing newer than ${newest_needed[*]}"
 mkdir -p "$folder"
 tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$(git -C "$root" log -1 --format=%ct)" -C "$scratch" -c "$name" |
     zstd -q -T0 -19 -f -o "$folder/$name.tar.zst"
