@@ -15,9 +15,13 @@ case "${1-}" in
     "") ;;
     *) folder="$1" ;;
 esac
+[[ -n $version ]] || fail "CMakeLists.txt does not begin with the version."
+[[ $EUID -eq 0 ]] || fail "only root can try packages and archive in systems of their own."
+changes="$(git -C "$root" status --porcelain 2>/dev/null)" || fail "a release is made of a Git checkout, and this is none."
+[[ -z $changes ]] || fail "there are changes that are not committed: ${changes//$'\n'/,}"
 [[ ! -e $folder ]] || fail "$folder is there already; a release is made anew."
-[[ -z $(git -C "$root" status --porcelain) ]] || fail "there are changes that are not committed."
 grep -q "^## $version" "$root/CHANGELOG.md" || fail "CHANGELOG.md says nothing about $version."
+! grep -q "^## $version .*not released" "$root/CHANGELOG.md" || fail "CHANGELOG.md says that $version is not released: give it a date."
 
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "$scratch"' EXIT
