@@ -82,14 +82,20 @@ stop_virtual_display() {
     rm -rf -- "$display_folder"
 }
 
-# Makes a bare Debian 12 in the folder "bare", which goes with the script; `inside COMMAND...` runs there. For root alone.
+# Makes a bare Debian, bookworm (12) or another, in the folder "bare", which goes with the script; `inside COMMAND...` runs there.
+# For root alone.
 make_bare_debian() {
     bare="$(mktemp -d)"
-    trap 'umount "$bare/proc" 2>/dev/null; rm -rf -- "$bare"' EXIT
-    say "Making a bare Debian 12 in $bare"
-    debootstrap --variant=minbase bookworm "$bare" >"$bare.log" || fail "debootstrap failed; $bare.log tells why."
+    trap remove_bare_debian EXIT
+    say "Making a bare Debian $1 in $bare"
+    debootstrap --variant=minbase "$1" "$bare" >"$bare.log" || fail "debootstrap failed; $bare.log tells why."
     rm -f -- "$bare.log"
     mount -t proc proc "$bare/proc"
+}
+
+remove_bare_debian() {
+    umount "$bare/proc" 2>/dev/null || true
+    rm -rf -- "$bare"
 }
 
 inside() {

@@ -21,7 +21,7 @@ packages=("$folder"/{pastoso{,-cli,-doc},libpastoso-dev,python3-pastoso}_*.deb)
 say "Checking the packages"
 lintian --allow-root --fail-on error "${packages[@]}" || fail "lintian has found errors."
 
-make_bare_debian
+make_bare_debian bookworm
 cp -- "${packages[@]}" "$bare/tmp/"
 
 say "Installing"
