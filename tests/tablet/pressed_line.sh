@@ -33,10 +33,10 @@ draw_line() {
     } >"$PASTOSO_TEST_TABLET/pen"
 }
 
-# But for 0, which the pen lands with. A sample is [time, x, y, pressure, ...].
+# A sample is [time, x, y, pressure, ...].
 kept() {
-    find "$home" -name strokes.journal -exec grep -aoh '"samples":\[.*\]' {} + | grep -o '\[[0-9][^][]*\]' |
-        awk -F, '{ pressure = sprintf("%.0f", 100 * $4); if (pressure > 0) print pressure }' | sort -nu
+    find "$home" -name strokes.journal -exec grep -aohE '"samples":\[(\[[^]]*\],?)*\]' {} + | grep -o '\[[0-9][^][]*\]' |
+        awk -F, '{ printf "%.0f\n", 100 * $4 }' | sort -u
 }
 
 # What is drawn before the window is on the screen is not heard.
@@ -44,7 +44,7 @@ for ((line = 0; line < 120; ++line)); do
     kill -0 "$program" 2>/dev/null || break
     draw_line
     sleep 1
-    [[ $(kept || true) == "$told" ]] || continue
+    [[ -z $(comm -23 <(sort <<<"$told") <(kept)) ]] || continue
     echo "All $(wc -l <<<"$told") pressures of the pen are in the painting."
     exit 0
 done
