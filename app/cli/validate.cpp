@@ -10,59 +10,37 @@
 #include "core/thread_pool.hpp"
 #include "files/file_access.hpp"
 
-#include <mutex>
-
 namespace pastoso::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using film::validation::Case;
 
-std::vector<const Case*> wanted_cases(const std::vector<std::string>& names) {
-    std::vector<const Case*> wanted;
-    if (names.empty())
-        for (const Case& known : film::validation::cases())
-            wanted.push_back(&known);
-    for (const std::string& name : names)
-        wanted.push_back(&film::validation::find_case(name));
-    return wanted;
-}
-
-std::vector<film::Scheme> wanted_schemes(const std::string& scheme) {
-    if (scheme == "explicit") return {film::Scheme::Explicit};
-    if (scheme == "large") return {film::Scheme::LargeStep};
-    return {film::Scheme::Explicit, film::Scheme::LargeStep};
-}
-
 std::vector<ValidatedRun> planned_runs(const ValidateOptions& options) {
-    const std::vector<film::Scheme> schemes = wanted_schemes(options.scheme);
-    std::vector<ValidatedRun> planned;
-    for (const Case* wanted : wanted_cases(options.cases))
-        for (const film::validation::Run& run : film::validation::runs_of(*wanted, schemes))
-            if (options.with_long || !wanted->is_long(run)) planned.push_back({wanted, run, {}});
+    std::vector<ValidatedRun> planned = film::validation::planned_runs(
+        options.cases, film::validation::schemes_named(options.scheme), options.with_long);
     if (planned.empty())
         throw core::InputError("All runs of these cases take minutes: --long carries them out.");
-    for (ValidatedRun& plan : planned)
-        plan.run.watch = stop_if_interrupted;
     return planned;
 }
 
-void list_cases(const std::vector<std::string>& names) {
-    for (const Case* known : wanted_cases(names))
-        print("%s\n    %s\n    %s\n", known->name.c_str(), known->law.c_str(), known->source.c_str());
+void list(const Case& known) {
+    print("%s\n    %s\n    %s\n", known.name.c_str(), known.law.c_str(), known.source.c_str());
 }
 
-/// The runs beside each other, each on one thread.
+void list_cases(const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+        list(film::validation::find_case(name));
+    if (!names.empty()) return;
+    for (const Case& known : film::validation::cases())
+        list(known);
+}
+
 void carry_out(std::vector<ValidatedRun>& runs, int threads, bool quiet) {
     core::ThreadPool pool(threads);
     Progress progress("validating", Progress::style_for_stderr(quiet));
-    std::mutex progress_use;
-    std::size_t done = 0;
-    pool.run(runs.size(), [&](std::size_t index, int) {
-        runs[index].outcome = runs[index].wanted->outcome(runs[index].run);
-        const std::lock_guard lock(progress_use);
-        progress.update(static_cast<double>(++done) / static_cast<double>(runs.size()));
-    });
+    film::validation::carry_out(runs, pool, stop_if_interrupted,
+                                [&](double share) { progress.update(share); });
     progress.clear();
 }
 

@@ -41,7 +41,7 @@ std::string error_in(const std::vector<const ValidatedRun*>& runs, const std::st
         for (const Figure& figure : run->outcome.figures)
             if (figure.quantity == quantity && run->run.scheme == column.scheme &&
                 run->run.cell_mm == cell_mm &&
-                figure.angle_deg.value_or(run->run.angle_deg) == column.angle_deg)
+                film::validation::angle_of(*run, figure) == column.angle_deg)
                 return percent(figure);
     return "-";
 }
@@ -82,7 +82,8 @@ std::string rows_of(const std::vector<const ValidatedRun*>& runs) {
 std::string validation_markdown(const std::vector<ValidatedRun>& runs) {
     std::string text = "| case | quantity | cells, mm |";
     for (const Column& column : kColumns)
-        text += " " + name_of(column.scheme) + ", " + core::number_text(column.angle_deg) + "° |";
+        text += " " + film::validation::name_of(column.scheme) + ", " +
+                core::number_text(column.angle_deg) + "° |";
     text += "\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     std::vector<const ValidatedRun*> of_case;
     for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -176,7 +176,8 @@ std::string measured_curves(const std::vector<ValidatedRun>& runs, const Axes& a
         const std::string style = std::string("stroke-width=\"1.3\" stroke=\"") + kColours[colour] +
                                   "\"" + (large ? " stroke-dasharray=\"5 3\"" : "");
         text += path_of(run.outcome.measured, axes, style);
-        key.add(style, name_of(run.run.scheme) + ", " + number_text(run.run.cell_mm, 3) + " mm, " +
+        key.add(style, film::validation::name_of(run.run.scheme) + ", " +
+                           number_text(run.run.cell_mm, 3) + " mm, " +
                            number_text(run.run.angle_deg, 3) + "°");
     }
     return text;

@@ -10,7 +10,9 @@ namespace pastoso::cli {
 namespace {
 
 using core::number_text;
+using film::validation::angle_of;
 using film::validation::Figure;
+using film::validation::name_of;
 
 /// Calls visit(run, figure) for all lines of the table.
 template <class Visit>
@@ -20,15 +22,7 @@ void for_each_figure(const std::vector<ValidatedRun>& runs, const Visit& visit) 
             visit(run, figure);
 }
 
-double angle_of(const ValidatedRun& run, const Figure& figure) {
-    return figure.angle_deg.value_or(run.run.angle_deg);
-}
-
 }  // namespace
-
-std::string name_of(film::Scheme scheme) {
-    return scheme == film::Scheme::Explicit ? "explicit" : "large";
-}
 
 std::string validation_table(const std::vector<ValidatedRun>& runs) {
     std::size_t name_width = 4, quantity_width = 8;

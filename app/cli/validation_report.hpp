@@ -1,21 +1,14 @@
 // What came of the runs of validation, as tables and plots.
 #pragma once
 
-#include "film/validation/case.hpp"
+#include "film/validation/runs.hpp"
 
 #include <string>
 #include <vector>
 
 namespace pastoso::cli {
 
-/// A run that is done.
-struct ValidatedRun {
-    const film::validation::Case* wanted = nullptr;
-    film::validation::Run run;
-    film::validation::Outcome outcome;
-};
-
-std::string name_of(film::Scheme scheme);
+using film::validation::ValidatedRun;
 
 /// A line for every figure, with aligned columns.
 std::string validation_table(const std::vector<ValidatedRun>& runs);

@@ -22,5 +22,6 @@ PYBIND11_MODULE(_engine, module) {
     python::add_painting(module);
     python::add_tea(module);
     python::add_tank(module);
+    python::add_validation(module);
     python::add_catalogue(module);
 }

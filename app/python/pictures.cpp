@@ -44,12 +44,6 @@ T value_of(const py::handle& value, const std::string& key, const char* kind) {
     }
 }
 
-bool is_linear(const std::string& dtype) {
-    if (dtype != "uint8" && dtype != "float32")
-        throw core::InputError("a picture is of uint8 or float32, not of \"%1\".", dtype);
-    return dtype == "float32";
-}
-
 void set(const std::string& key, const py::handle& value, PictureWish& wish) {
     if (key == "scale")
         wish.scale = value_of<double>(value, key, "a number");
@@ -59,9 +53,7 @@ void set(const std::string& key, const py::handle& value, PictureWish& wish) {
     else if (key == "lit")
         wish.lit = value_of<bool>(value, key, "True or False");
     else if (key == "dtype")
-        wish.linear = is_linear(value_of<std::string>(
-            py::str(py::dtype::from_args(py::reinterpret_borrow<py::object>(value))), key,
-            "a type of numbers"));
+        wish.linear = is_linear(py::reinterpret_borrow<py::object>(value));
     else if (key == "light")
         wish.light = value_of<std::string>(value, key, "a text");
     else if (key == "specular")
@@ -92,6 +84,13 @@ grid::Rect cells_of(const PictureWish& wish, const grid::Shape& shape) {
 const char* const kPictureArguments =
     "scale, cells, lit, dtype, light, specular, azimuth_deg, elevation_deg, ambient, wet_roughness and "
     "dry_roughness";
+
+bool is_linear(const py::object& dtype) {
+    const std::string name = py::str(py::dtype::from_args(dtype));
+    if (name != "uint8" && name != "float32")
+        throw core::InputError("a picture is of uint8 or float32, not of \"%1\".", name);
+    return name == "float32";
+}
 
 PictureWish picture_wish(const py::kwargs& wanted) {
     PictureWish wish;

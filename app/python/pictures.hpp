@@ -28,6 +28,10 @@ struct PictureWish {
 /// Throws InputError for one that there is not, and for values out of their ranges.
 PictureWish picture_wish(const pybind11::kwargs& wanted);
 
+/// Whether pictures with values of this type, of whatever NumPy knows, are of linear light: those of
+/// float32 are, those of uint8 are not. Throws InputError for all others.
+bool is_linear(const pybind11::object& dtype);
+
 /// What can be asked for, for documentation.
 extern const char* const kPictureArguments;
 

@@ -7,10 +7,12 @@
 #include "python/bindings.hpp"
 #include "python/meshes.hpp"
 #include "python/pools.hpp"
+#include "python/traced.hpp"
 #include "python/turn.hpp"
 #include "tank/liquid_tank.hpp"
 #include "tank/solid_mesh.hpp"
 #include "tank/tank_surface.hpp"
+#include "trace/tank_scene.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -103,6 +105,29 @@ py::tuple solids(TankWork& work, int parts) {
     return arrays_of(std::move(mesh));
 }
 
+/// As fine as pictures of the command line have them: points along a cell.
+constexpr int kPictureParts = 2, kPictureSolidParts = 3;
+
+trace::Scene scene_of(TankWork& work, float aspect) {
+    const tank::TankFrame frame = work.tank.frame(kPictureParts, *work.pool);
+    liquid::TriangleMesh surface;
+    work.surfaces.make(frame, trace::kTankOverlap_cells * work.tank.shape().cell_m, surface);
+    return trace::tank_scene(frame.milk, std::move(surface),
+                             tank::solid_mesh(work.tank.scene(), kPictureSolidParts, *work.pool),
+                             aspect);
+}
+
+py::array render(TankWork& work, int width, int height, int samples, bool denoise,
+                 const py::object& dtype) {
+    const TracedWish wish = traced_wish(width, height, samples, denoise, dtype);
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    Interruption interruption;
+    RenderedPicture picture;
+    work.turn.take([&] { picture = traced(scene_of(work, aspect), wish, *work.pool, interruption); });
+    interruption.rethrow();
+    return array_of(std::move(picture));
+}
+
 template <class Value>
 auto seen(Value (*value)(const TankWork&)) {
     return [value](TankWork& work) { return work.turn.take([&] { return value(work); }); };
@@ -132,6 +157,12 @@ void add_tank(py::module_& module) {
              "What carries the liquid, a structured array: position_m (3), milk (share), velocity_m_s "
              "(3). Empty for\n"
              "methods without particles.")
+        .def("render", &render, py::arg("width") = 800, py::arg("height") = 800, py::kw_only(),
+             py::arg("samples") = 48, py::arg("denoise") = true, py::arg("dtype") = "uint8",
+             "A path-traced picture of the whole tank, (height, width, 3), as `pastoso-cli tank` draws "
+             "it.\n\n"
+             "dtype: uint8, as a screen shall show it, sRGB; or float32, the radiance in linear light.\n"
+             "samples: paths for a pixel; denoise: takes the noise of these out. Ctrl+C stops it.")
         .def("surface_arrays", &surface, py::arg("parts") = 2, "What surface() is made of.")
         .def("solid_arrays", &solids, py::arg("parts") = 3, "What solids() is made of.")
         .def(

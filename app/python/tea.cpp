@@ -9,7 +9,9 @@
 #include "python/bindings.hpp"
 #include "python/meshes.hpp"
 #include "python/pools.hpp"
+#include "python/traced.hpp"
 #include "python/turn.hpp"
+#include "trace/tea_scene.hpp"
 
 #include <array>
 #include <cstddef>
@@ -100,6 +102,28 @@ py::tuple surface(TeaWork& work, int parts) {
     return arrays_of(std::move(surface.mesh));
 }
 
+trace::MilkBody milk_body(const std::string& milk) {
+    if (milk == "medium") return trace::MilkBody::Medium;
+    if (milk == "surface") return trace::MilkBody::Surface;
+    throw core::InputError("milk is drawn as medium or surface, not as \"%1\".", milk);
+}
+
+py::array render(TeaWork& work, int width, int height, int samples, bool denoise,
+                 const py::object& dtype, const std::string& milk) {
+    const TracedWish wish = traced_wish(width, height, samples, denoise, dtype);
+    const trace::MilkBody body = milk_body(milk);
+    Interruption interruption;
+    RenderedPicture picture;
+    work.turn.take([&] {
+        const liquid::TeaFrame frame = work.tea.frame();
+        picture = traced(trace::tea_scene(work.tea.settings(), frame.parcels, frame.dissolved,
+                                          frame.pour, body, *work.pool),
+                         wish, *work.pool, interruption);
+    });
+    interruption.rethrow();
+    return array_of(std::move(picture));
+}
+
 py::dict cup(TeaWork& work) {
     liquid::CupMeshes meshes;
     work.turn.take([&] { meshes = liquid::cup_meshes(work.tea.cup()); });
@@ -135,6 +159,15 @@ void add_tea(py::module_& module) {
              "Milk that has not dissolved, a structured array: position_m (3), volume_m3, coldness, "
              "ball (-1: none\n"
              "yet), shape (6: xx, yy, zz, xy, xz, yz of the covariance of its milk, 1 as poured).")
+        .def("render", &render, py::arg("width") = 800, py::arg("height") = 800, py::kw_only(),
+             py::arg("samples") = 48, py::arg("denoise") = true, py::arg("dtype") = "uint8",
+             py::arg("milk") = "medium",
+             "A path-traced picture of the glass, (height, width, 3), as `pastoso-cli tea` draws it.\n\n"
+             "dtype: uint8, as a screen shall show it, sRGB; or float32, the radiance in linear light.\n"
+             "samples: paths for a pixel; denoise: takes the noise of these out. milk: how milk is "
+             "drawn\n"
+             "that has not dissolved, \"medium\", as a share of the liquid, or \"surface\", as a body.\n"
+             "Ctrl+C stops it.")
         .def("surface_arrays", &surface, py::arg("parts") = 2, "What surface() is made of.")
         .def("cup_arrays", &cup, "What cup() is made of.")
         .def(

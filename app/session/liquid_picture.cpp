@@ -1,6 +1,5 @@
 #include "session/liquid_picture.hpp"
 
-#include "liquid/tea/milk_surface.hpp"
 #include "liquid_files/traced_picture.hpp"
 #include "tank/solid_mesh.hpp"
 #include "trace/tank_scene.hpp"
@@ -71,24 +70,10 @@ void LiquidPicture::publish(trace::Picture radiance, int samples, bool finished)
     notify_();
 }
 
-namespace {
-
-trace::Scene tea_scene_of(const TeaSnapshot& snapshot, trace::MilkBody body, core::ThreadPool& pool) {
-    const liquid::Cup cup = snapshot.cup();
-    const auto& [step, parcels, dissolved, pour] = snapshot.seen;
-    if (body == trace::MilkBody::Medium)
-        return trace::tea_scene(cup, pour,
-                                liquid::MilkDensities(pool).make(
-                                    parcels, dissolved, cup, liquid::even_density(snapshot.settings)));
-    return trace::tea_scene(cup, pour, grid::BlockField(dissolved),
-                            liquid::MilkSurfaces(pool).make(parcels, cup, dissolved.shape()).mesh);
-}
-
-}  // namespace
-
 trace::Scene traced_tea(const TeaSnapshot& snapshot, const trace::Camera& camera, trace::MilkBody body,
                         core::ThreadPool& pool) {
-    trace::Scene scene = tea_scene_of(snapshot, body, pool);
+    const auto& [step, parcels, dissolved, pour] = snapshot.seen;
+    trace::Scene scene = trace::tea_scene(snapshot.settings, parcels, dissolved, pour, body, pool);
     scene.camera = camera;
     return scene;
 }

@@ -1,6 +1,8 @@
 #include "trace/tea_scene.hpp"
 
 #include "liquid/tea/jug_shape.hpp"
+#include "liquid/tea/milk_density.hpp"
+#include "liquid/tea/milk_surface.hpp"
 #include "liquid/tea/stream_mesh.hpp"
 
 #include <algorithm>
@@ -36,6 +38,18 @@ Scene tea_scene(const liquid::Cup& cup, const liquid::SeenPour& pour, grid::Bloc
         scene.dents.push_back(stream_dent(stream, level_m));
     }
     return scene;
+}
+
+Scene tea_scene(const liquid::TeaSettings& settings, std::span<const liquid::Parcel> parcels,
+                const grid::BoxField& dissolved, const liquid::SeenPour& pour, MilkBody body,
+                core::ThreadPool& pool) {
+    const liquid::Cup cup = liquid::cup_in(pour, settings.cup);
+    if (body == MilkBody::Medium)
+        return tea_scene(
+            cup, pour,
+            liquid::MilkDensities(pool).make(parcels, dissolved, cup, liquid::even_density(settings)));
+    return tea_scene(cup, pour, grid::BlockField(dissolved),
+                     liquid::MilkSurfaces(pool).make(parcels, cup, dissolved.shape()).mesh);
 }
 
 }  // namespace pastoso::trace

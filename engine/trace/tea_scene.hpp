@@ -1,9 +1,15 @@
 // The picture of a glass of milk tea at one moment.
 #pragma once
 
+#include "core/thread_pool.hpp"
 #include "grid/block_field.hpp"
+#include "grid/box_field.hpp"
 #include "liquid/tea/milk_stream.hpp"
+#include "liquid/tea/parcel.hpp"
+#include "liquid/tea/tea_settings.hpp"
 #include "trace/scene.hpp"
+
+#include <span>
 
 namespace pastoso::trace {
 
@@ -24,5 +30,11 @@ LevelDent stream_dent(const liquid::MilkStream& stream, float level_m);
 /// they come from, are bodies, and the level is dented where streams meet it.
 Scene tea_scene(const liquid::Cup& cup, const liquid::SeenPour& pour, grid::BlockField milk_share,
                 liquid::TriangleMesh milk = {});
+
+/// The same of parcels and of the share of milk that has dissolved, `dissolved`, at the middles of
+/// cells.
+Scene tea_scene(const liquid::TeaSettings& settings, std::span<const liquid::Parcel> parcels,
+                const grid::BoxField& dissolved, const liquid::SeenPour& pour, MilkBody body,
+                core::ThreadPool& pool);
 
 }  // namespace pastoso::trace

@@ -4,9 +4,10 @@ import json
 import unittest
 
 import numpy as np
+from PIL import Image
 
 import pastoso
-from command_line import InFolder
+from command_line import InFolder, run
 
 TEA = {"cells": 24, "parcels": 3000, "pour_s": 0.4}
 # A pool of 40 mm in a box of 120 x 80 x 80 mm, and a block of milk above it.
@@ -67,6 +68,37 @@ class Tea(InFolder):
             self.assertEqual(f"{tea.state_hash:016x}", stats["state_hash"])
         self.assertNotEqual(pastoso.Tea(TEA).step_s, tea.step_s)
 
+    def test_pictures_are_those_of_the_command_line(self):
+        file = self.folder / "tea.json"
+        file.write_text(json.dumps({"format": "pastoso-tea", "version": 1, **TEA}))
+        tea = pastoso.Tea(TEA, fps=5)
+        tea.advance(0.4)
+        for milk in ("medium", "surface"):
+            pictures = self.folder / milk
+            result = run("tea", file, "--seconds", 0.4, "--fps", 5, "--every", 2, "--frames", pictures, "--size", "24x20",
+                         "--samples", 2, "--milk", milk, "-q")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            picture = tea.render(24, 20, samples=2, milk=milk)
+            self.assertEqual((picture.shape, picture.dtype), ((20, 24, 3), np.uint8))
+            np.testing.assert_array_equal(picture, np.asarray(Image.open(pictures / "milk_0002.png")))
+        self.assertTrue((tea.render(24, 20, samples=2) != picture).any())
+
+    def test_radiance_is_linear_and_may_keep_its_noise(self):
+        tea = pastoso.Tea(TEA)
+        tea.advance(0.4)
+        even, noisy = (tea.render(24, 20, samples=2, dtype="float32", denoise=denoise) for denoise in (True, False))
+        self.assertEqual((even.shape, even.dtype), ((20, 24, 3), np.float32))
+        self.assertTrue((noisy >= 0).all())
+        # Noise is what neighbours differ by.
+        self.assertLess(np.abs(np.diff(even, axis=1)).mean(), np.abs(np.diff(noisy, axis=1)).mean())
+
+    def test_pictures_that_there_are_not(self):
+        tea = pastoso.Tea(TEA)
+        self.assertIn("width of the picture", self.input_error(lambda: tea.render(0, 20)))
+        self.assertIn("number of samples", self.input_error(lambda: tea.render(24, 20, samples=0)))
+        self.assertIn('"int8"', self.input_error(lambda: tea.render(24, 20, dtype="int8")))
+        self.assertIn('"cloud"', self.input_error(lambda: tea.render(24, 20, milk="cloud")))
+
     def test_is_poured_into_by_hand(self):
         tea = pastoso.Tea({**TEA, "milk_m3": 1e-6})
         tea.advance(1)
@@ -126,6 +158,21 @@ class Tank(InFolder):
                 tank.advance_to(frame / 30)
             self.assertEqual(f"{tank.state_hash:016x}", stats["state_hash"])
         self.assertEqual(tank.steps, stats["steps"])
+
+    def test_pictures_are_those_of_the_command_line(self):
+        ball = {"sphere": {"centre_m": [0.06, 0.04, 0.04], "radius_m": 0.02}}
+        scene = {**TANK, "solids": [ball]}
+        file = self.folder / "tank.json"
+        file.write_text(json.dumps({"format": "pastoso-tank", "version": 1, **scene}))
+        pictures = self.folder / "pictures"
+        result = run("tank", file, "--seconds", 0.1, "--fps", 10, "--frames", pictures, "--size", "24x16", "--samples", 2, "-q")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        tank = pastoso.Tank(scene)
+        tank.advance_to(0.1)
+        picture = tank.render(24, 16, samples=2)
+        np.testing.assert_array_equal(picture, np.asarray(Image.open(pictures / "liquid_0001.png")))
+        radiance = tank.render(24, 16, samples=2, dtype=np.float32)
+        self.assertEqual((radiance.shape, radiance.dtype), ((16, 24, 3), np.float32))
 
 
 if __name__ == "__main__":

@@ -62,6 +62,10 @@ class OtherThreads(unittest.TestCase):
     def test_go_on_while_liquids_move(self):
         tea = pastoso.Tea({"cells": 32, "parcels": 20000}, threads=1)
         self.assertGreater(progress_during(lambda: tea.step(10)), 5)
+        self.assertGreater(progress_during(lambda: tea.render(32, 32, samples=16)), 5)
+
+    def test_go_on_while_the_solver_is_validated(self):
+        self.assertGreater(progress_during(lambda: pastoso.validate("nusselt-film", scheme="large")), 5)
 
 
 class OneObject(unittest.TestCase):
@@ -124,6 +128,12 @@ class Interruption(unittest.TestCase):
             {"shape": {"block": {"low_m": [-1, -1, -1], "high_m": [0.05, 1, 0.08]}}}]}, threads=1)
         self.interrupted(lambda: tank.advance(1e6))
         self.assertGreater(tank.steps, 0)
+
+    def test_stops_pictures_and_validation(self):
+        tea = pastoso.Tea({"cells": 16, "parcels": 300}, threads=2)
+        tea.step()
+        self.interrupted(lambda: tea.render(400, 400, samples=10**6))
+        self.interrupted(lambda: pastoso.validate("fingers", with_long=True, threads=2))
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ from pathlib import Path as _Path
 from . import _engine
 from ._engine import InputError, InternalError
 from ._engine import brushes, lights, media, pigments, scenes, supports, tanks, teas
+from ._engine import validate, validation_cases
 
 # The package of Python alone brings data and module along; installed with the programs it uses theirs.
 _folder = _Path(__file__).parent
@@ -33,5 +34,6 @@ from ._painting import Painting  # noqa: E402
 __version__: str = _engine.version
 __all__ = [
     "Film", "InputError", "InternalError", "Mesh", "Painting", "Tank", "Tea", "brushes", "lights", "media", "pigments",
-    "scene_runs", "scenes", "supports", "tanks", "teas",
+    "scene_runs", "scenes", "supports", "tanks", "teas", "validate",
+    "validation_cases",
 ]
