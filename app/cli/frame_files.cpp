@@ -102,7 +102,7 @@ void FrameFiles::write_picture(int frame, const trace::Scene& scene) {
     trace::TraceSettings settings;
     settings.width = width_px_;
     settings.height = height_px_;
-    trace::TeaTracer tracer(scene, settings, pool_);
+    trace::PathTracer tracer(scene, settings, pool_);
     costs_.trace_s += seconds_of([&] {
         if (!tracer.add_samples(options_.samples, [] { return is_interrupted(); })) throw Interrupted{};
     });

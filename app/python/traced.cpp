@@ -22,7 +22,7 @@ TracedWish traced_wish(int width, int height, int samples, bool denoised,
 
 RenderedPicture traced(const trace::Scene& scene, const TracedWish& wish, core::ThreadPool& pool,
                        Interruption& interruption) {
-    trace::TeaTracer tracer(scene, {.width = wish.width, .height = wish.height}, pool);
+    trace::PathTracer tracer(scene, {.width = wish.width, .height = wish.height}, pool);
     // Python hears of signals on the thread that called it, which is one of those that trace.
     const std::thread::id caller = std::this_thread::get_id();
     const auto stop = [&] { return std::this_thread::get_id() == caller && interruption.wanted(); };

@@ -45,7 +45,7 @@ void LiquidPicture::trace(const LiquidPictureOrder& order) {
     const auto ends = [this] { return stopping_ || worker_.cancelled(); };
     core::ThreadPool pool;
     const trace::Scene scene = order.scene(pool, order.body);
-    trace::TeaTracer tracer(scene, {.width = order.width, .height = order.height}, pool);
+    trace::PathTracer tracer(scene, {.width = order.width, .height = order.height}, pool);
     while (tracer.samples() < order.samples && !ends()) {
         const int wanted = std::clamp(tracer.samples() / 2, 1, order.samples - tracer.samples());
         tracer.add_samples(wanted, ends);

@@ -53,7 +53,7 @@ const Scene& checked(const Scene& scene, const TraceSettings& settings) {
 
 }  // namespace
 
-struct TeaTracer::State {
+struct PathTracer::State {
     State(const Scene& scene, const TraceSettings& trace_settings, core::ThreadPool& threads)
         : settings(trace_settings),
           pool(threads),
@@ -187,13 +187,13 @@ struct TeaTracer::State {
     std::vector<float> sums[2];
 };
 
-TeaTracer::TeaTracer(const Scene& scene, const TraceSettings& settings, core::ThreadPool& pool)
+PathTracer::PathTracer(const Scene& scene, const TraceSettings& settings, core::ThreadPool& pool)
     : state_(std::make_unique<State>(scene, settings, pool)) {}
-TeaTracer::~TeaTracer() = default;
-TeaTracer::TeaTracer(TeaTracer&&) noexcept = default;
-TeaTracer& TeaTracer::operator=(TeaTracer&&) noexcept = default;
+PathTracer::~PathTracer() = default;
+PathTracer::PathTracer(PathTracer&&) noexcept = default;
+PathTracer& PathTracer::operator=(PathTracer&&) noexcept = default;
 
-bool TeaTracer::add_samples(int count, const std::function<bool()>& stop) {
+bool PathTracer::add_samples(int count, const std::function<bool()>& stop) {
     PASTOSO_CHECK_OP(count, >=, 0);
     if (!state_->shoot(stop)) return false;
     const int wanted = samples() + count;
@@ -201,18 +201,18 @@ bool TeaTracer::add_samples(int count, const std::function<bool()>& stop) {
                              [&](std::size_t tile) { state_->bring_tile(tile, wanted); });
 }
 
-int TeaTracer::samples() const {
+int PathTracer::samples() const {
     return *std::min_element(state_->tile_wanted.begin(), state_->tile_wanted.end());
 }
 
-std::uint64_t TeaTracer::rays() const {
+std::uint64_t PathTracer::rays() const {
     std::uint64_t sum = 0;
     for (const std::uint64_t rays : state_->tile_rays)
         sum += rays;
     return sum;
 }
 
-Picture TeaTracer::radiance() const {
+Picture PathTracer::radiance() const {
     Picture picture(state_->settings.width, state_->settings.height);
     state_->for_each_pixel([&](int x, int y) {
         const int samples = state_->samples_at(x, y);
@@ -226,7 +226,7 @@ Picture TeaTracer::radiance() const {
     return picture;
 }
 
-Picture TeaTracer::denoised() const {
+Picture PathTracer::denoised() const {
     NoisyPicture noisy;
     state_->mean_half(0, noisy.even, noisy.even_features);
     state_->mean_half(1, noisy.odd, noisy.odd_features);

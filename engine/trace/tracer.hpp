@@ -26,14 +26,14 @@ struct TraceSettings {
     int most_events = 400;  ///< on one path; what is left of its light then is lost. At least 1.
 };
 
-class TeaTracer {
+class PathTracer {
   public:
     /// Takes what it needs out of the scene; `pool` outlives the tracer. Throws InputError like
     /// check_scene(), and for settings out of their range.
-    TeaTracer(const Scene& scene, const TraceSettings& settings, core::ThreadPool& pool);
-    ~TeaTracer();
-    TeaTracer(TeaTracer&&) noexcept;
-    TeaTracer& operator=(TeaTracer&&) noexcept;
+    PathTracer(const Scene& scene, const TraceSettings& settings, core::ThreadPool& pool);
+    ~PathTracer();
+    PathTracer(PathTracer&&) noexcept;
+    PathTracer& operator=(PathTracer&&) noexcept;
 
     /// Adds samples to every pixel, but to those of tiles that are clean; the first call shoots the
     /// photons before. Between tiles and between batches of photons asks `stop`, if there is one, on any

@@ -38,7 +38,7 @@ class TeaViewBesideAPicture : public WindowTest {
 
     QImage traced(const session::TeaSnapshot& snapshot, const QSize& size) {
         core::ThreadPool pool;
-        trace::TeaTracer tracer(
+        trace::PathTracer tracer(
             session::traced_tea(snapshot, view().camera().traced(), trace::MilkBody::Medium, pool),
             {.width = size.width() / 2, .height = size.height() / 2}, pool);
         tracer.add_samples(24);

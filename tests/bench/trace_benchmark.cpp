@@ -63,7 +63,7 @@ void trace_glass(benchmark::State& run) {
     scene.milk = many_balls();
     scene.milk_share = grid::BlockField(tests::even_milk(0.001F * static_cast<float>(run.range(0)), 64));
     core::ThreadPool pool(1);
-    TeaTracer tracer(scene, tests::small_picture(200), pool);
+    PathTracer tracer(scene, tests::small_picture(200), pool);
     for (auto _ : run)
         tracer.add_samples(1);
     run.SetItemsProcessed(static_cast<std::int64_t>(tracer.rays()));
@@ -72,7 +72,7 @@ BENCHMARK(trace_glass)->Arg(0)->Arg(10)->Arg(50)->Arg(110)->Unit(benchmark::kMil
 
 void take_noise_out(benchmark::State& run) {
     core::ThreadPool pool(1);
-    TeaTracer tracer(tests::busy_glass(), tests::small_picture(400), pool);
+    PathTracer tracer(tests::busy_glass(), tests::small_picture(400), pool);
     tracer.add_samples(4);
     for (auto _ : run)
         benchmark::DoNotOptimize(tracer.denoised());

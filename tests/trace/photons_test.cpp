@@ -66,7 +66,7 @@ TEST(Photons, TheTableIsAsBrightAsByChance) {
         settings.seeks_lamp = seeks;
         settings.brightest = 1e6F;
         core::ThreadPool pool(2);
-        TeaTracer tracer(scene, settings, pool);
+        PathTracer tracer(scene, settings, pool);
         tracer.add_samples(samples);
         return tests::mean_of(tracer.radiance());
     };

@@ -32,7 +32,7 @@ TEST(Solids, InAFurnaceShowTheirColour) {
     scene.camera.target_m = glm::vec3(0.0F);
     scene.camera.field_of_view_deg = 2.0F;  // within the ball
     core::ThreadPool pool(1);
-    TeaTracer tracer(scene, tests::small_picture(8), pool);
+    PathTracer tracer(scene, tests::small_picture(8), pool);
     tracer.add_samples(3);
     const Picture picture = tracer.radiance();
     // A ball that bulges everywhere meets its own light nowhere.
@@ -54,7 +54,7 @@ TEST(Solids, InAFurnaceWithoutLossesATankWithMilkAndSolidsIsAsBrightAsTheSky) {
     TraceSettings settings = tests::small_picture(12);
     settings.most_events = 100000;
     core::ThreadPool pool(1);
-    TeaTracer tracer(scene, settings, pool);
+    PathTracer tracer(scene, settings, pool);
     tracer.add_samples(4);
     const Picture picture = tracer.radiance();
     // As for the glass of tea: rounding alone.

@@ -92,7 +92,7 @@ TEST(TankScene, MoreMilkMakesTheLiquidLighter) {
         const grid::BoxField milk(kRoom, 0.3F * static_cast<float>(milky));
         Scene scene = tank_scene(milk, liquid, {}, 1.0F);
         scene.camera.field_of_view_deg = 5.0F;  // liquid alone
-        TeaTracer tracer(scene, tests::small_picture(8), pool);
+        PathTracer tracer(scene, tests::small_picture(8), pool);
         tracer.add_samples(16);
         seen[milky] = tests::mean_of(tracer.radiance());
     }

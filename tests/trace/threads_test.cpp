@@ -10,14 +10,14 @@
 namespace pastoso::trace {
 namespace {
 
-TEST(TeaTracerThreads, ThreadsDoNotChangeThePicture) {
+TEST(PathTracerThreads, ThreadsDoNotChangeThePicture) {
     const Scene scene = tests::busy_glass();
     core::ThreadPool one(1);
-    TeaTracer alone(scene, tests::small_picture(40), one);
+    PathTracer alone(scene, tests::small_picture(40), one);
     alone.add_samples(4);
     for (const int threads : {2, 3}) {
         core::ThreadPool pool(threads);
-        TeaTracer tracer(scene, tests::small_picture(40), pool);
+        PathTracer tracer(scene, tests::small_picture(40), pool);
         tracer.add_samples(4);
         EXPECT_EQ(tracer.radiance(), alone.radiance());
         EXPECT_EQ(tracer.denoised(), alone.denoised());
@@ -25,10 +25,10 @@ TEST(TeaTracerThreads, ThreadsDoNotChangeThePicture) {
     }
 }
 
-TEST(TeaTracerThreads, AStopOnAnyThreadIsMadeUpFor) {
+TEST(PathTracerThreads, AStopOnAnyThreadIsMadeUpFor) {
     const Scene scene = tests::busy_glass();
     core::ThreadPool one(1), three(3);
-    TeaTracer whole(scene, tests::small_picture(64), one),
+    PathTracer whole(scene, tests::small_picture(64), one),
         stopped(scene, tests::small_picture(64), three);
     whole.add_samples(2);
     std::atomic<int> asked = 0;

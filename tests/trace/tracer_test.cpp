@@ -14,7 +14,7 @@ namespace {
 
 Picture traced(const Scene& scene, const TraceSettings& settings, int samples) {
     core::ThreadPool pool(1);
-    TeaTracer tracer(scene, settings, pool);
+    PathTracer tracer(scene, settings, pool);
     tracer.add_samples(samples);
     return tracer.radiance();
 }
@@ -44,7 +44,7 @@ Scene milk_on_a_table() {
     return scene;
 }
 
-TEST(TeaTracer, InAFurnaceWithoutLossesEverythingIsAsBrightAsTheSky) {
+TEST(PathTracer, InAFurnaceWithoutLossesEverythingIsAsBrightAsTheSky) {
     Scene scene = tests::busy_glass();
     tests::put_into_furnace(scene);
     TraceSettings settings = tests::small_picture(12);
@@ -59,7 +59,7 @@ TEST(TeaTracer, InAFurnaceWithoutLossesEverythingIsAsBrightAsTheSky) {
         EXPECT_LT(value, 1.001F);
 }
 
-TEST(TeaTracer, SeekingTheLampGivesTheSameMeanWhereNoGlassGathersLight) {
+TEST(PathTracer, SeekingTheLampGivesTheSameMeanWhereNoGlassGathersLight) {
     Scene scene = milk_on_a_table();
     scene.milk_share = {};
     TraceSettings settings = tests::small_picture(16);
@@ -72,11 +72,11 @@ TEST(TeaTracer, SeekingTheLampGivesTheSameMeanWhereNoGlassGathersLight) {
     EXPECT_LT(reference.error, 0.02 * reference.mean);
 }
 
-TEST(TeaTracer, PassesAddUpToTheBitsOfOnePass) {
+TEST(PathTracer, PassesAddUpToTheBitsOfOnePass) {
     const Scene scene = tests::busy_glass();
     core::ThreadPool pool(1);
-    TeaTracer at_once(scene, tests::small_picture(24), pool);
-    TeaTracer in_passes(scene, tests::small_picture(24), pool);
+    PathTracer at_once(scene, tests::small_picture(24), pool);
+    PathTracer in_passes(scene, tests::small_picture(24), pool);
     at_once.add_samples(7);
     for (const int count : {1, 0, 4, 2})
         in_passes.add_samples(count);
@@ -86,10 +86,10 @@ TEST(TeaTracer, PassesAddUpToTheBitsOfOnePass) {
     EXPECT_EQ(in_passes.samples(), 7);
 }
 
-TEST(TeaTracer, AStoppedPassIsMadeUpForByTheNext) {
+TEST(PathTracer, AStoppedPassIsMadeUpForByTheNext) {
     const Scene scene = tests::busy_glass();
     core::ThreadPool pool(1);
-    TeaTracer whole(scene, tests::small_picture(40), pool),
+    PathTracer whole(scene, tests::small_picture(40), pool),
         stopped(scene, tests::small_picture(40), pool);
     EXPECT_TRUE(whole.add_samples(3));
     EXPECT_TRUE(stopped.add_samples(0));  // the photons are shot
@@ -105,7 +105,7 @@ TEST(TeaTracer, AStoppedPassIsMadeUpForByTheNext) {
     EXPECT_EQ(stopped.rays(), whole.rays());
 }
 
-TEST(TeaTracer, AnotherSeedGivesOtherNoiseAboutTheSameMean) {
+TEST(PathTracer, AnotherSeedGivesOtherNoiseAboutTheSameMean) {
     const Scene scene = tests::busy_glass();
     TraceSettings settings = tests::small_picture(24);
     const Picture one = traced(scene, settings, 8);
@@ -116,7 +116,7 @@ TEST(TeaTracer, AnotherSeedGivesOtherNoiseAboutTheSameMean) {
     EXPECT_NEAR(tests::mean_of(one), tests::mean_of(other), 0.02 * tests::mean_of(one));
 }
 
-TEST(TeaTracer, AMirroredSceneGivesAMirroredPicture) {
+TEST(PathTracer, AMirroredSceneGivesAMirroredPicture) {
     Scene scene = tests::busy_glass();
     scene.camera.eye_m.x = scene.camera.target_m.x = 0.05F;
     Scene mirrored = scene;
@@ -145,7 +145,7 @@ TEST(TeaTracer, AMirroredSceneGivesAMirroredPicture) {
         }
 }
 
-TEST(TeaTracer, PlainTeaAndAnEmptyWorldAreTraced) {
+TEST(PathTracer, PlainTeaAndAnEmptyWorldAreTraced) {
     Scene plain;
     plain.milk_share = grid::BlockField(tests::even_milk(0.0F));
     EXPECT_GT(tests::mean_of(traced(plain, tests::small_picture(12), 2)), 0.1);
@@ -159,7 +159,7 @@ TEST(TeaTracer, PlainTeaAndAnEmptyWorldAreTraced) {
         EXPECT_NEAR(value, 0.25F, 1e-6F);
 }
 
-TEST(TeaTracer, MoreMilkMakesTheTeaLighter) {
+TEST(PathTracer, MoreMilkMakesTheTeaLighter) {
     Scene scene;
     scene.camera.field_of_view_deg = 4.0F;  // tea alone
     const double plain = tests::mean_of(traced(scene, tests::small_picture(8), 32));
@@ -171,14 +171,14 @@ TEST(TeaTracer, MoreMilkMakesTheTeaLighter) {
 void expect_refused(const Scene& scene, const TraceSettings& settings, const char* named) {
     core::ThreadPool pool(1);
     try {
-        const TeaTracer tracer(scene, settings, pool);
+        const PathTracer tracer(scene, settings, pool);
         ADD_FAILURE() << named << " was taken";
     } catch (const core::InputError& error) {
         EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
     }
 }
 
-TEST(TeaTracer, NumbersOutOfRangeAreRefusedByName) {
+TEST(PathTracer, NumbersOutOfRangeAreRefusedByName) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const TraceSettings settings = tests::small_picture(8);
     Scene scene;
@@ -218,7 +218,7 @@ TEST(TeaTracer, NumbersOutOfRangeAreRefusedByName) {
 /// Means over 8 x 8 blocks of the tea picture's 64 x 64 pixels, 16 samples each, as they were when the
 /// pictures were last looked at and approved. Same bits are not asked for, so that a better way to
 /// sample may change the noise: a block's noise is below 2 %.
-TEST(TeaTracer, TheGlassLooksAsItDid) {
+TEST(PathTracer, TheGlassLooksAsItDid) {
     const Picture picture = traced(tests::busy_glass(), tests::small_picture(64), 16);
     constexpr int kBlocks = 8;
     const auto& approved = tests::kApprovedGlass;
