@@ -61,7 +61,7 @@ PointerEvent EventReader::read(const QTabletEvent& event) {
     read.pointer.time_ms = event.timestamp();
     if (const QPointingDevice* device = event.pointingDevice()) {
         if (device->type() == QInputDevice::DeviceType::Airbrush)
-            read.wheel = event.tangentialPressure();
+            read.wheel = read.pointer.wheel = event.tangentialPressure();
         read.pointer.pressure =
             tools::mapped_pressure(pen_, tools::pen_device_of(*device), read.pointer.pressure);
     }

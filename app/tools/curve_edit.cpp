@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pastoso::tools {
 namespace {
@@ -14,16 +15,22 @@ using brush::DynamicsTarget;
 
 double usual_input(DynamicsInput input) {
     switch (input) {
-        case DynamicsInput::Pressure:
-            return 1.0;
         case DynamicsInput::Tilt:
             return 90.0;
         case DynamicsInput::BarrelRotation:
+        case DynamicsInput::Direction:
             return 360.0;
         case DynamicsInput::Speed:
             return 500.0;
+        case DynamicsInput::Distance:
+            return 200.0;
+        case DynamicsInput::Time:
+            return 5.0;
+        case DynamicsInput::Fade:
+            return 20.0;
+        default:
+            return 1.0;
     }
-    return 1.0;
 }
 
 double usual_output(DynamicsTarget target) {
@@ -83,11 +90,18 @@ bool sets(const Curves& curves, DynamicsTarget target) {
                        [&](const brush::DynamicsCurve& curve) { return curve.target == target; });
 }
 
+/// What sets it in a tool without a curve, besides the lean.
+std::optional<DynamicsInput> own_input(DynamicsTarget target) {
+    if (target == DynamicsTarget::Press) return DynamicsInput::Pressure;
+    if (target == DynamicsTarget::Rotation) return DynamicsInput::BarrelRotation;
+    return std::nullopt;
+}
+
 /// What a tool without a curve does (brush/hand_pose.hpp); the lean is the tangent of the tilt.
 CurvePoints unchanged(DynamicsInput input, DynamicsTarget target, bool first_of_target) {
     if (target == DynamicsTarget::Rotation) {
         if (first_of_target) return {{0.0, 0.0}, {360.0, 360.0}};
-        return {{0.0, 0.0}, {360.0, 0.0}};
+        return {{0.0, 0.0}, {usual_input(input), 0.0}};
     }
     if (target == DynamicsTarget::Lean && first_of_target)
         return {{0.0, 0.0}, {15.0, 0.27}, {30.0, 0.58}, {45.0, 1.0}, {60.0, 1.73}, {75.0, 3.73}};
@@ -122,9 +136,8 @@ int find_curve(const Curves& curves, DynamicsInput input, DynamicsTarget target)
 }
 
 int add_curve(Curves& curves, DynamicsInput input, DynamicsTarget target) {
-    const bool presses = target == DynamicsTarget::Press;
-    if (presses && input != DynamicsInput::Pressure && !sets(curves, target))
-        add_curve(curves, DynamicsInput::Pressure, target);
+    const auto own = own_input(target);
+    if (own && input != *own && !sets(curves, target)) add_curve(curves, *own, target);
     curves.push_back({input, target, unchanged(input, target, !sets(curves, target))});
     return static_cast<int>(curves.size()) - 1;
 }

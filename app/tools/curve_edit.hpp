@@ -42,7 +42,8 @@ bool matters(brush::DynamicsInput input, brush::DynamicsTarget target, brush::To
 int find_curve(const Curves& curves, brush::DynamicsInput input, brush::DynamicsTarget target);
 
 /// Adds a curve that leaves the tool as it was, to be bent from there, and returns its index. What
-/// presses a tool besides its pressure leaves the pressure its say: both are then there as curves.
+/// presses or turns a tool besides the pressure and the barrel leaves these their say: both are then
+/// there as curves.
 int add_curve(Curves& curves, brush::DynamicsInput input, brush::DynamicsTarget target);
 
 }  // namespace pastoso::tools

@@ -454,7 +454,8 @@ brush::PenSample Easel::held() const {
     return {.pressure = std::clamp(followed_.pressure, 0.0, 1.0),
             .tilt_x_deg = aslant ? kAslant_deg : std::clamp(followed_.tilt_x_deg, -90.0, 90.0),
             .tilt_y_deg = aslant ? kAslant_deg : std::clamp(followed_.tilt_y_deg, -90.0, 90.0),
-            .rotation_deg = rotation_deg_};
+            .rotation_deg = rotation_deg_,
+            .wheel = std::clamp(followed_.wheel, -1.0, 1.0)};
 }
 
 /// The sample in the engine's terms. Time starts at the first touch and never runs backwards, even where

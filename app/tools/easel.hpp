@@ -26,6 +26,7 @@ struct Pointer {
     double tilt_y_deg = 0.0;
     bool tells_tilt = false;             ///< a pen that can; the hand's own otherwise
     std::optional<double> rotation_deg;  ///< of the pen about its axis, where it can tell
+    double wheel = 0.0;                  ///< of an airbrush, -1 to 1
     double hand_deg = 0.0;  ///< of a tip's width that neither the pen nor its way turns: the hand's own
     std::uint64_t time_ms = 0;  ///< of the event, on the windowing system's clock
 };

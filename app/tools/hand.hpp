@@ -12,7 +12,7 @@
 namespace pastoso::tools {
 
 inline constexpr double kSmallestBrush_mm = 1.0;
-inline constexpr double kLargestBrush_mm = 60.0;
+inline constexpr double kLargestBrush_mm = 200.0;
 
 /// How the brush is dipped.
 struct Dip {

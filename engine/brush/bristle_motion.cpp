@@ -2,6 +2,7 @@
 
 #include "brush/footprint.hpp"
 #include "brush/motion_kernel.hpp"
+#include "core/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,30 @@ TuftGrid tuft_grid(const film::FilmState& film, double radius_mm) {
     const double cells_per_mm = 1.0 / film.cell_mm;
     return {cells_per_mm, kTuft_radii * radius_mm * cells_per_mm, film.shape.width - 1.0,
             film.shape.height - 1.0};
+}
+
+/// Where on a roller an element is once it has turned so far: along the travel from its lowest line, and
+/// how far above that.
+struct RolledPlace {
+    float y_mm, height_mm;
+};
+RolledPlace rolled_place(float root_y_mm, double rolled_mm, double girth_mm) {
+    constexpr double kAway_mm = 1e6;
+    const double turns = (root_y_mm - rolled_mm) / girth_mm;
+    const double y_mm = girth_mm * (turns - std::floor(turns + 0.5));
+    const double radius_mm = girth_mm / (2.0 * core::kPi);
+    const double rest_mm2 = radius_mm * radius_mm - y_mm * y_mm;
+    const double height_mm = rest_mm2 > 0.0 ? radius_mm - std::sqrt(rest_mm2) : kAway_mm;
+    return {static_cast<float>(y_mm), static_cast<float>(height_mm)};
+}
+
+void roll(const Bristle* bristles, int count, double rolled_mm, double girth_mm,
+          MotionColumns& columns) {
+    for (int i = 0; i < count; ++i) {
+        const RolledPlace place = rolled_place(bristles[i].root_y_mm, rolled_mm, girth_mm);
+        columns.root_y_mm[i] = place.y_mm;
+        columns.deficit_mm[i] = bristles[i].deficit_mm + place.height_mm;
+    }
 }
 
 /// Columns of up to MotionColumns::kCount bristles.
@@ -139,6 +164,7 @@ std::vector<glm::vec2> tips_set_down(const Preset& preset, const Tip& tip, const
     const StepFlex flex = step_flex(preset, tip, slide_mm);
     FerrulePose ferrule = ferrule_pose(hand);
     ferrule.x_mm = ferrule.y_mm = 0.0;
+    const double girth_mm = preset.tip.girth_mm;
     const std::vector<BristlePose> lifted(tip.bristles.size());
     std::vector<glm::vec2> tips;
     MotionColumns columns{};
@@ -146,6 +172,7 @@ std::vector<glm::vec2> tips_set_down(const Preset& preset, const Tip& tip, const
     for (int first = 0; first < all; first += MotionColumns::kCount) {
         const int count = std::min(MotionColumns::kCount, all - first);
         fill_columns(&tip.bristles[first], &lifted[first], count, columns);
+        if (girth_mm > 0.0) roll(&tip.bristles[first], count, 0.0, girth_mm, columns);
         core::kernels<MotionKernels>().move(flex, ferrule, columns);
         for (int i = 0; i < count; ++i)
             if (columns.depth_mm[i] > 0.0) tips.emplace_back(columns.x_mm[i], columns.y_mm[i]);
@@ -159,6 +186,7 @@ Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
     const StepDescent descent = step_descent(brush, step_mm);
     const FerrulePose ferrule = ferrule_pose(hand);
     const TuftGrid grid = tuft_grid(film, brush.tip.radius_mm);
+    const double girth_mm = brush.preset.tip.girth_mm;
     Swath swath{1e9, -1e9, 0.0F};
     MotionColumns columns{};
     TuftCells tufts;
@@ -166,6 +194,7 @@ Swath move_bristles(const Brush& brush, const HandPose& hand, double step_mm,
     for (int first = 0; first < all; first += MotionColumns::kCount) {
         const int count = std::min(MotionColumns::kCount, all - first);
         fill_columns(&brush.tip.bristles[first], &poses[first], count, columns);
+        if (girth_mm > 0.0) roll(&brush.tip.bristles[first], count, hand.rolled_mm, girth_mm, columns);
         core::kernels<MotionKernels>().move(flex, ferrule, columns);
         core::kernels<MotionKernels>().compute_tufts(grid, columns, tufts);
         for (int i = 0; i < count; ++i) {

@@ -33,8 +33,9 @@ PathMeasure path_measure(const Preset& preset, const Tip& tip) {
 }
 
 void check_finite(const PenSample& sample) {
-    for (const double value : {sample.time_s, sample.x_mm, sample.y_mm, sample.pressure,
-                               sample.tilt_x_deg, sample.tilt_y_deg, sample.rotation_deg}) {
+    for (const double value :
+         {sample.time_s, sample.x_mm, sample.y_mm, sample.pressure, sample.tilt_x_deg, sample.tilt_y_deg,
+          sample.rotation_deg, sample.wheel}) {
         PASTOSO_CHECK(std::isfinite(value));
     }
 }

@@ -1,5 +1,7 @@
 #include "brush/hand_pose.hpp"
 
+#include "brush/smooth_noise.hpp"
+#include "core/random.hpp"
 #include "core/units.hpp"
 
 #include <algorithm>
@@ -24,21 +26,58 @@ Tilt tilt_of(const PenSample& pen) {
     return {x, y, core::degrees(std::atan(std::hypot(x, y)))};
 }
 
-double input_value(DynamicsInput input, const PathStep& step, const Tilt& tilt) {
+double direction_deg(const PathStep& step) {
+    const double degrees = core::degrees(std::atan2(step.direction_y, step.direction_x));
+    return degrees < 0.0 ? degrees + 360.0 : degrees;
+}
+
+/// 0 to 1, independent of the brush's other random numbers.
+double stroke_random(std::uint32_t seed) {
+    constexpr std::uint32_t kStream = 0x51D0;
+    return core::uniform_noise(seed, kStream);
+}
+
+double dab_random(const PathStep& step, const StrokeState& stroke) {
+    constexpr std::uint32_t kStream = 0x51D1;
+    return 0.5 + 0.5 * smooth_noise(2.0 * step.travelled_mm / stroke.width_mm, stroke.seed + kStream);
+}
+
+}  // namespace
+
+double input_value(DynamicsInput input, const PathStep& step, const StrokeState& stroke) {
     switch (input) {
         case DynamicsInput::Pressure:
             return step.pen.pressure;
         case DynamicsInput::Tilt:
-            return tilt.angle_deg;
+            return tilt_of(step.pen).angle_deg;
         case DynamicsInput::BarrelRotation:
             return step.pen.rotation_deg - 360.0 * std::floor(step.pen.rotation_deg / 360.0);
         case DynamicsInput::Speed:
             return step.speed_mm_s;
+        case DynamicsInput::Direction:
+            return direction_deg(step);
+        case DynamicsInput::Distance:
+            return step.travelled_mm;
+        case DynamicsInput::Time:
+            return step.pen.time_s - stroke.begun_s;
+        case DynamicsInput::Fade:
+            return step.travelled_mm / stroke.width_mm;
+        case DynamicsInput::StrokeRandom:
+            return stroke_random(stroke.seed);
+        case DynamicsInput::DabRandom:
+            return dab_random(step, stroke);
+        case DynamicsInput::Wheel:
+            return 0.5 + 0.5 * step.pen.wheel;
+        case DynamicsInput::Load:
+            return stroke.fill;
     }
     return 0.0;
 }
 
-}  // namespace
+bool reads(const std::vector<DynamicsCurve>& dynamics, DynamicsInput input) {
+    return std::any_of(dynamics.begin(), dynamics.end(),
+                       [input](const DynamicsCurve& curve) { return curve.input == input; });
+}
 
 double evaluate(const DynamicsCurve& curve, double input) {
     const auto& points = curve.points;
@@ -50,12 +89,13 @@ double evaluate(const DynamicsCurve& curve, double input) {
     return a.output + (b.output - a.output) * (input - a.input) / (b.input - a.input);
 }
 
-HandPose hand_pose(const std::vector<DynamicsCurve>& dynamics, const PathStep& step) {
+HandPose hand_pose(const std::vector<DynamicsCurve>& dynamics, const PathStep& step,
+                   const StrokeState& stroke) {
     const Tilt tilt = tilt_of(step.pen);
     HandPose pose;
     std::optional<double> press, lean, rotation_deg;
     for (const DynamicsCurve& curve : dynamics) {
-        const double value = evaluate(curve, input_value(curve.input, step, tilt));
+        const double value = evaluate(curve, input_value(curve.input, step, stroke));
         switch (curve.target) {
             case DynamicsTarget::Press:
                 press = press.value_or(1.0) * value;

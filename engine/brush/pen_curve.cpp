@@ -65,7 +65,7 @@ PenSample between(const PenSample& from, const PenSample& to, double t) {
     PenSample result;
     for (const auto value :
          {&PenSample::time_s, &PenSample::x_mm, &PenSample::y_mm, &PenSample::pressure,
-          &PenSample::tilt_x_deg, &PenSample::tilt_y_deg, &PenSample::rotation_deg})
+          &PenSample::tilt_x_deg, &PenSample::tilt_y_deg, &PenSample::rotation_deg, &PenSample::wheel})
         result.*value = from.*value + t * (to.*value - from.*value);
     return result;
 }

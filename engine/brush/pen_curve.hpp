@@ -24,7 +24,8 @@ class PenCurve {
         double x, y;
     };
     static constexpr std::array kScalars = {&PenSample::pressure, &PenSample::tilt_x_deg,
-                                            &PenSample::tilt_y_deg, &PenSample::rotation_deg};
+                                            &PenSample::tilt_y_deg, &PenSample::rotation_deg,
+                                            &PenSample::wheel};
 
     PenSample from_, to_;
     Vector tangent_from_, tangent_to_;

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kLeastInterval_s = 1e-4;
 
-constexpr double PenSample::*kFilteredValues[] = {&PenSample::x_mm,       &PenSample::y_mm,
-                                                  &PenSample::pressure,   &PenSample::tilt_x_deg,
-                                                  &PenSample::tilt_y_deg, &PenSample::rotation_deg};
+constexpr double PenSample::*kFilteredValues[] = {
+    &PenSample::x_mm,       &PenSample::y_mm,         &PenSample::pressure, &PenSample::tilt_x_deg,
+    &PenSample::tilt_y_deg, &PenSample::rotation_deg, &PenSample::wheel};
 
 }  // namespace
 

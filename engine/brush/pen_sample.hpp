@@ -11,6 +11,7 @@ struct PenSample {
     double tilt_x_deg = 0.0;    ///< lean of the pen to the right, -90 to 90, 0 upright
     double tilt_y_deg = 0.0;    ///< lean of the pen down the canvas, -90 to 90
     double rotation_deg = 0.0;  ///< about the pen's own axis, clockwise on the canvas
+    double wheel = 0.0;         ///< of an airbrush, -1 to 1
 
     friend bool operator==(const PenSample&, const PenSample&) = default;
 };

@@ -61,7 +61,7 @@ ExchangeRule clearing_rule(ExchangeRule rule, const HandPose& hand, const StepRa
     rule.along_x = static_cast<float>(hand.travel_x / radius_mm);
     rule.along_y = static_cast<float>(hand.travel_y / radius_mm);
     rule.crown = 1.0F;
-    rule.profile_mm = rule.mix = 0.0F;
+    rule.profile_mm = rule.coat = rule.mix = 0.0F;
     rule.lowest_mm = rule.underside_mm;
     rule.fade_per_mm = 1.0F / kGivesWay_mm;
     rule.pickup = 1.0F;

@@ -36,7 +36,13 @@ constexpr std::pair<std::string_view, std::string_view> kShortNames[] = {{"flat"
                                                                          {"airbrush", "Airbrush 7"},
                                                                          {"spatter", "Spatter 45"},
                                                                          {"thinner", "Thinner brush 16"},
-                                                                         {"blow", "Straw 8"}};
+                                                                         {"blow", "Straw 8"},
+                                                                         {"nib", "Calligraphy nib 3"},
+                                                                         {"charcoal", "Charcoal 8"},
+                                                                         {"pastel", "Oil pastel 10"},
+                                                                         {"roller", "Roller 50"},
+                                                                         {"sponge", "Sponge 45"},
+                                                                         {"squeegee", "Squeegee 120"}};
 
 std::vector<Preset> read_bundled_presets() {
     std::vector<Preset> presets;
@@ -58,6 +64,10 @@ std::string list_of_names() {
 
 std::string_view name_of(TipShape shape) {
     return word_for(shape, kShapeNames);
+}
+
+bool is_row(TipShape shape) {
+    return shape == TipShape::Knife || shape == TipShape::Comb || shape == TipShape::Nib;
 }
 
 const std::vector<Preset>& bundled_presets() {
@@ -84,9 +94,10 @@ Preset resized(const Preset& preset, double width_mm) {
     result.tip.thickness_mm *= scale;
     result.tip.length_mm *= scale;
     result.tip.point_mm *= scale;
+    result.tip.pores_mm *= scale;
     const int count = preset.tip.bristles;
-    const bool row = preset.tip.shape == TipShape::Knife || preset.tip.shape == TipShape::Comb;
-    const auto scaled = static_cast<int>(std::lround(count * (row ? scale : scale * scale)));
+    const bool row = is_row(preset.tip.shape), rolls = preset.tip.girth_mm > 0.0;
+    const auto scaled = static_cast<int>(std::lround(count * (row || rolls ? scale : scale * scale)));
     if (row) result.paint.leave = std::min(1.0, scale * preset.paint.leave);
     result.tip.bristles =
         std::clamp(scaled, std::min(count, kFewestBristles), std::max(count, kMostBristles));

@@ -25,9 +25,13 @@ enum class TipShape {
     Fan,
     Knife,  ///< a row of stiff elements without gaps
     Comb,   ///< a row of stiff teeth
-    Pad     ///< a soft disc or cloth without hairs, or a fingertip: width by thickness
+    Pad,    ///< a soft disc or cloth without hairs, or a fingertip: width by thickness
+    Nib     ///< a short stiff edge that is fed from behind: a pen
 };
 std::string_view name_of(TipShape shape);
+
+/// Whether its elements stand side by side along a stiff edge.
+bool is_row(TipShape shape);
 
 /// The tip at rest, in the frame of the ferrule: x along its width, y along its thickness.
 struct TipPreset {
@@ -39,6 +43,10 @@ struct TipPreset {
     int bristles = 300;          ///< elements the tip is made of, 4 to 2000
     int hairs_per_bristle = 16;  ///< fine streaks within one element, 1 to 64
     std::uint32_t seed = 1;
+    double tooth = 0.6;     ///< width of a comb's tooth, in distances of its teeth; 0.02 to 1
+    double pores_mm = 0.0;  ///< depth of a sponge's pores; 0 to 100
+    /// Way round a roller, whose elements lie all round it; 0: it does not roll; at most 1000.
+    double girth_mm = 0.0;
     friend bool operator==(const TipPreset&, const TipPreset&) = default;
 };
 
@@ -65,6 +73,7 @@ struct PaintPreset {
     double start = 0.5;     ///< extra film where the stroke starts; 0 to 5
     double leave = 0.0;     ///< share of the load that stays behind on lifting; 0 to 1
     double reach = 1.15;    ///< depth that hanging paint bridges, in films; 0.1 to 50
+    double coat = 0.0;      ///< 0: levels the hollows that it reaches, 1: coats the grain alone
     friend bool operator==(const PaintPreset&, const PaintPreset&) = default;
 };
 
@@ -112,9 +121,21 @@ struct StrokePreset {
     friend bool operator==(const StrokePreset&, const StrokePreset&) = default;
 };
 
-/// What of the hand a curve reads: pressure 0-1, tilt from upright 0-90 degrees, barrel rotation 0-360
-/// degrees, speed of the tip in mm/s.
-enum class DynamicsInput { Pressure, Tilt, BarrelRotation, Speed };
+/// What a curve reads.
+enum class DynamicsInput {
+    Pressure,        ///< 0 to 1
+    Tilt,            ///< from upright, 0 to 90 degrees
+    BarrelRotation,  ///< 0 to 360 degrees
+    Speed,           ///< of the tip, mm/s
+    Direction,       ///< of travel, clockwise from the right, 0 to 360 degrees
+    Distance,        ///< that the tip has travelled since it came down, mm
+    Time,            ///< since the pen came down, s
+    Fade,            ///< the distance in widths of the tip
+    StrokeRandom,    ///< another number in every stroke, 0 to 1
+    DabRandom,       ///< another one every half width of the tip, and smoothly on to it, 0 to 1
+    Wheel,           ///< of an airbrush, 0 turned back to 1 forward, 0.5 without one
+    Load             ///< what the tool still holds, of what it can hold, 0 to 1 and above
+};
 
 /// What it sets: Press is how far the brush is pressed down (0-1), Lean how far it leans (1 shifts the
 /// hairs by their reach), Rotation an angle in degrees. The others multiply the number of that name:
@@ -122,12 +143,10 @@ enum class DynamicsInput { Pressure, Tilt, BarrelRotation, Speed };
 /// wet paint carries the tool.
 enum class DynamicsTarget { Press, Lean, Rotation, Reach, Film, Pickup, Flow, Spread, Ride };
 
-/// Whether a curve may lead from the input to the target: a lean is a length along the tilt, a rotation
-/// an angle, and only their own inputs can give them.
+/// Whether a curve may lead from the input to the target: a lean is a length along the tilt, and only
+/// that can give it.
 inline constexpr bool can_set(DynamicsInput input, DynamicsTarget target) {
-    if (target == DynamicsTarget::Lean) return input == DynamicsInput::Tilt;
-    if (target == DynamicsTarget::Rotation) return input == DynamicsInput::BarrelRotation;
-    return true;
+    return target != DynamicsTarget::Lean || input == DynamicsInput::Tilt;
 }
 
 struct CurvePoint {
@@ -161,7 +180,7 @@ struct Preset {
     friend bool operator==(const Preset&, const Preset&) = default;
 };
 
-/// Reads one preset (resources/brushes/*.json show the form, version 2; docs/brush-format.md).
+/// Reads one preset (resources/brushes/*.json show the form; docs/brush-format.md).
 /// `place`, as the file's name, is for errors only. Throws InputError that names it, the field (as in
 /// "paint.film") and its value: a field that is missing, unknown, of the wrong type or out of the range
 /// above.
@@ -182,10 +201,11 @@ const std::vector<Preset>& bundled_presets();
 const Preset& find_preset(std::string_view name);
 
 /// The same kind of brush with a tip `width_mm` wide (0: as it is): thickness, length and point grow in
-/// proportion, and the number of bristles with the area they fill (that of a knife or a comb with its
-/// width), so that a bristle's footprint keeps its measure: down to 30 if the preset has them, and up to
-/// 300, which bounds the cost. What an edge leaves where it lifts, as long as it is thick, grows in
-/// proportion as well, since a full load lasts as long on any width.
+/// proportion, and the number of bristles with the area they fill (that of an edge or a roller, whose
+/// girth stays, with its width), so that a bristle's footprint keeps its measure: down to 30 if the
+/// preset has them, and up to 250, or as many as it has, which bounds the cost. What an edge leaves
+/// where it lifts, as long as it is thick, grows in proportion as well, since a full load lasts as long
+/// on any width.
 Preset resized(const Preset& preset, double width_mm);
 
 }  // namespace pastoso::brush

@@ -78,6 +78,12 @@ constexpr PresetField kFields[] = {
     tip<&TipPreset::hairs_per_bristle>("hairs_per_bristle", "", {1.0, 64.0},
                                        "Fine streaks within one element."),
     tip<&TipPreset::seed>("seed", "", {0.0, 1e9}, "Makes one piece differ from the next."),
+    tip<&TipPreset::tooth>("tooth", "", {0.02, 1.0},
+                           "Width of a comb's tooth, in distances of its teeth.", 5),
+    tip<&TipPreset::pores_mm>("pores", "mm", {0.0, 100.0}, "Depth of a sponge's pores.", 5),
+    tip<&TipPreset::girth_mm>(
+        "girth", "mm", {0.0, 1000.0},
+        "Way round a roller, after which its mark comes again; 0: it does not roll.", 5),
 
     flex<&FlexPreset::bend>("bend", "", {0.0, 1.0}, "How far a bent hair trails behind the hand."),
     flex<&FlexPreset::splay>("splay", "", {0.0, 3.0}, "How far the hairs spread at full pressure."),
@@ -103,6 +109,8 @@ constexpr PresetField kFields[] = {
     paint<&PaintPreset::start>("start", "", {0.0, 5.0}, "Extra film where the stroke starts."),
     paint<&PaintPreset::leave>("leave", "", {0.0, 1.0}, "Share of the load that stays on lifting."),
     paint<&PaintPreset::reach>("reach", "", {0.1, 50.0}, "Depth that hanging paint bridges, in films."),
+    paint<&PaintPreset::coat>("coat", "", {0.0, 1.0},
+                              "0: levels the hollows that it reaches, 1: coats the grain alone.", 5),
 
     exchange<&ExchangePreset::pickup>("pickup", "", {0.0, 1.0},
                                       "Share of the paint in the way that is taken up."),
@@ -156,6 +164,12 @@ Preset with_number(Preset preset, const PresetField& field, double value) {
     if (is("droplets", "rate"))
         drops.drop_mm3 = std::max(drops.drop_mm3, drops.rate_mm3_s / kMostDrops_per_s);
     drops.rate_mm3_s = std::min(drops.rate_mm3_s, kMostDrops_per_s * drops.drop_mm3);
+    return preset;
+}
+
+Preset within_ranges(Preset preset) {
+    for (const PresetField& field : kFields)
+        field.set(preset, std::clamp(field.get(preset), field.low, field.high));
     return preset;
 }
 

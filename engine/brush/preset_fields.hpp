@@ -32,6 +32,10 @@ bool applies_to(const PresetField& field, ToolKind kind);
 /// what falls in a second.
 Preset with_number(Preset preset, const PresetField& field, double value);
 
+/// The preset with all of its numbers within their ranges: a tip that is held much wider than its preset
+/// has hairs that are longer than any preset may say.
+Preset within_ranges(Preset preset);
+
 /// More drops than a picture shows would only take time.
 inline constexpr double kMostDrops_per_s = 1e5;
 

@@ -13,7 +13,7 @@ struct Named {
     T value;
 };
 
-inline constexpr int kPresetVersion = 4;
+inline constexpr int kPresetVersion = 5;
 inline constexpr std::size_t kMostCurvePoints = 64;
 
 inline constexpr Named<ToolKind> kKindNames[] = {
@@ -21,14 +21,22 @@ inline constexpr Named<ToolKind> kKindNames[] = {
 inline constexpr Named<TipShape> kShapeNames[] = {
     {"round", TipShape::Round}, {"flat", TipShape::Flat},   {"filbert", TipShape::Filbert},
     {"fan", TipShape::Fan},     {"knife", TipShape::Knife}, {"comb", TipShape::Comb},
-    {"pad", TipShape::Pad}};
+    {"pad", TipShape::Pad},     {"nib", TipShape::Nib}};
 inline constexpr Named<JitterSeed> kJitterSeedNames[] = {{"stroke", JitterSeed::Stroke},
                                                          {"brush", JitterSeed::Brush}};
 inline constexpr Named<DynamicsInput> kInputNames[] = {
     {"pressure", DynamicsInput::Pressure},
     {"tilt", DynamicsInput::Tilt},
     {"barrel_rotation", DynamicsInput::BarrelRotation},
-    {"speed_mm_s", DynamicsInput::Speed}};
+    {"speed_mm_s", DynamicsInput::Speed},
+    {"direction", DynamicsInput::Direction},
+    {"distance_mm", DynamicsInput::Distance},
+    {"time_s", DynamicsInput::Time},
+    {"fade", DynamicsInput::Fade},
+    {"stroke_random", DynamicsInput::StrokeRandom},
+    {"dab_random", DynamicsInput::DabRandom},
+    {"wheel", DynamicsInput::Wheel},
+    {"load", DynamicsInput::Load}};
 inline constexpr Named<DynamicsTarget> kTargetNames[] = {
     {"press", DynamicsTarget::Press},       {"lean", DynamicsTarget::Lean},
     {"rotation", DynamicsTarget::Rotation}, {"reach", DynamicsTarget::Reach},

@@ -94,7 +94,8 @@ Stroke::Stroke(Brush& brush, film::FilmState& film, const HandAids& aids, const 
       cells_(limit),
       pass_(film.shape, pass_length_mm(brush)),
       pool_(pool),
-      droplets_(brush, film, limit) {}
+      droplets_(brush, film, limit),
+      reads_load_(reads(brush.preset.dynamics, DynamicsInput::Load)) {}
 
 void Stroke::begin(const PenSample& sample) {
     media_ = meet(brush_, film_);
@@ -105,7 +106,9 @@ void Stroke::begin(const PenSample& sample) {
     step_count_ = 0;
     since_wick_mm_ = 0.0;
     time_s_ = 0.0;
+    rolled_.reset();
     const PenSample start = path_.begin(sample);
+    begun_s_ = start.time_s;
     if (brush_.preset.kind == ToolKind::Droplets)
         droplets_.begin(pose({.pen = start}), jitter_seed_, media());
     paint_steps();
@@ -153,10 +156,6 @@ grid::Rect Stroke::take_changed_cells() {
     return grid::bounding_box(std::exchange(changed_, {}), droplets_.take_changed_cells());
 }
 
-HandPose Stroke::pose(const PathStep& step) const {
-    return placed(placement_, hand_pose(brush_.preset.dynamics, step));
-}
-
 bool Stroke::may_change(double x_mm, double y_mm) const {
     if (limit_ == nullptr) return true;
     const double x = std::floor(x_mm / film_.cell_mm), y = std::floor(y_mm / film_.cell_mm);
@@ -177,13 +176,14 @@ void Stroke::take_step(const PathStep& step) {
         case ToolKind::Droplets:
             return droplets_.follow(pose(step), step.speed_mm_s);
         case ToolKind::Air:
-            blowing_ = hand_pose(brush_.preset.dynamics, step);
+            blowing_ = hand_pose(brush_.preset.dynamics, step, state());
             return;
     }
 }
 
 void Stroke::paint_step(const PathStep& step) {
-    const HandPose hand = pose(step);
+    HandPose hand = pose(step);
+    roll(hand);
     const double turn_mm = turns_ * path_.step_mm();
     const StepRates rates = step_rates(brush_, resolved_, hand, turn_mm);
     const DragRates drag = drag_rates(brush_, resolved_, hand, turn_mm, film_.consistencies);

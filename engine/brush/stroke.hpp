@@ -76,6 +76,8 @@ class Stroke {
     };
 
     HandPose pose(const PathStep& step) const;
+    StrokeState state() const;
+    void roll(HandPose& hand);
     bool may_change(double x_mm, double y_mm) const;
     void paint_steps();
     void take_step(const PathStep& step);
@@ -118,8 +120,11 @@ class Stroke {
     std::mutex velocities_;         ///< of the film
     std::optional<MediaExchange> media_;  ///< on a film of several
     Droplets droplets_;
+    bool reads_load_;                  ///< some curve does
     std::optional<HandPose> blowing_;  ///< how a tool of air is held, before it is placed
     double time_s_ = 0.0;              ///< that the stroke has lasted
+    double begun_s_ = 0.0;             ///< time of the pen when it came down
+    std::optional<HandPose> rolled_;   ///< how a roller was held in the step before
     std::uint32_t jitter_seed_ = 0;
     std::uint32_t step_count_ = 0;
     double since_wick_mm_ = 0.0;

@@ -65,11 +65,12 @@ void StrokePath::run_straight(const PenSample& to, double speed_mm_s) {
         at_.direction_y = way_y_mm / travelled_mm;
     }
     at_.speed_mm_s = speed_mm_s;
-    travelled_mm_ += travelled_mm;
+    const double before_mm = std::exchange(travelled_mm_, travelled_mm_ + travelled_mm);
     const double whole_mm = length_mm(from, to);
     double done_mm = measure_.step_mm - since_step_mm_;
     for (; done_mm <= whole_mm; done_mm += measure_.step_mm) {
         at_.pen = between(from, to, done_mm / whole_mm);
+        at_.travelled_mm = before_mm + travelled_mm * (done_mm / whole_mm);
         steps_.push_back(at_);
     }
     since_step_mm_ = whole_mm - (done_mm - measure_.step_mm);

@@ -14,6 +14,7 @@ struct PathStep {
     double direction_x = 0.0;  ///< of travel, unit length
     double direction_y = 1.0;
     double speed_mm_s = 0.0;
+    double travelled_mm = 0.0;  ///< by the pen since it came down
 };
 
 /// How the step length is measured. A brush that is pressed down or turned in place slides over the

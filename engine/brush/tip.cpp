@@ -27,11 +27,9 @@ enum Stream : std::uint32_t {
     kClumpY,
     kClump = 32,
     kClumpDeficit = 64,
-    kClumpUptake = 96
+    kClumpUptake = 96,
+    kPores = 128
 };
-
-/// Half width of a comb's tooth, in distances of its teeth.
-constexpr double kToothShare = 0.3;
 
 /// A place in the tip's outline, -1 to 1 along width and thickness.
 struct Place {
@@ -47,15 +45,13 @@ Place spread_place(std::uint32_t index, std::uint32_t seed, const Place& shake) 
                 shake.v * (uniform_noise(index, seed + kPlaceV) - 0.5)};
 }
 
-bool is_row(TipShape shape) {
-    return shape == TipShape::Knife || shape == TipShape::Comb;
-}
-
-bool is_oval(TipShape shape) {
-    return shape == TipShape::Round || shape == TipShape::Pad;
+/// Unrolled, a roller is a rectangle.
+bool is_oval(const TipPreset& tip) {
+    return (tip.shape == TipShape::Round || tip.shape == TipShape::Pad) && tip.girth_mm <= 0.0;
 }
 
 double depth_of(const TipPreset& tip) {
+    if (tip.girth_mm > 0.0) return tip.girth_mm;
     return tip.shape == TipShape::Round ? tip.width_mm : tip.thickness_mm;
 }
 
@@ -67,7 +63,7 @@ std::vector<Place> places(const TipPreset& tip, std::uint32_t seed) {
     for (std::uint32_t index = 0; static_cast<int>(result.size()) < tip.bristles; ++index) {
         const Place place = spread_place(index, seed, shake);
         const bool outside = place.u * place.u + place.v * place.v > 1.0;
-        if (is_oval(tip.shape) && outside) continue;
+        if (is_oval(tip) && outside) continue;
         result.push_back(place);
     }
     return result;
@@ -105,6 +101,9 @@ class TipNoise {
 
     double uniform(std::uint32_t index, Stream stream) const {
         return blended(uniform_noise(index, own_ + stream), uniform_noise(index, dip_ + stream));
+    }
+    double plane(double x, double y, Stream stream) const {
+        return blended(film::smooth_noise(x, y, own_ + stream), film::smooth_noise(x, y, dip_ + stream));
     }
     double clump(double u, Stream stream) const {
         return blended(clump_noise(u, own_ + stream), clump_noise(u, dip_ + stream));
@@ -238,12 +237,24 @@ double point_profile(double radius) {
     return 0.45 * radius + 0.55 * radius * radius;
 }
 
+/// How deep a sponge is at a place, of its pores' depth: walls between holes of two sizes.
+double pore_at(const TipPreset& tip, const Place& place, const TipNoise& noise) {
+    constexpr double kLarge_mm = 5.0, kSmall_mm = 2.0, kContrast = 3.0;
+    const double x_mm = 0.5 * tip.width_mm * place.u, y_mm = 0.5 * depth_of(tip) * place.v;
+    const double holes = 0.55 * noise.plane(x_mm / kLarge_mm, y_mm / kLarge_mm, kPores) +
+                         0.45 * noise.plane(x_mm / kSmall_mm, y_mm / kSmall_mm, kPores);
+    return std::clamp(0.5 + kContrast * (holes - 0.5), 0.0, 1.0);
+}
+
 /// Worn bristles: single hairs and whole clumps are shorter than the longest, few of them much, which
 /// gives the strokes their ragged ends. Sable wears less, a pad is domed.
 double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index, const TipNoise& noise) {
     const double shake = std::clamp(noise.uniform(index, kDeficit), 0.0, 1.0);
     const double clump = std::clamp(0.5 + 1.8 * (noise.clump(place.u, kClumpDeficit) - 0.5), 0.0, 1.0);
-    if (tip.shape == TipShape::Pad) return tip.point_mm * (place.u * place.u + place.v * place.v);
+    const double pores = tip.pores_mm > 0.0 ? tip.pores_mm * pore_at(tip, place, noise) : 0.0;
+    if (tip.shape == TipShape::Pad)
+        return pores +
+               tip.point_mm * (place.u * place.u + (tip.girth_mm > 0.0 ? 0.0 : place.v * place.v));
     const bool round = tip.shape == TipShape::Round;
     const double wear = round ? 0.006 : 0.06;
     double deficit = wear * tip.length_mm * (shake * shake + clump * clump);
@@ -251,7 +262,7 @@ double deficit_of(const TipPreset& tip, const Place& place, std::uint32_t index,
     if (tip.shape == TipShape::Filbert) deficit += tip.point_mm * place.u * place.u;
     if (tip.shape == TipShape::Fan)
         deficit += 0.05 * tip.length_mm * std::clamp(noise.uniform(index, kFanDeficit), 0.0, 1.0);
-    return deficit;
+    return deficit + pores;
 }
 
 /// The bristle at a place; body holds its noise and the deficits are to be levelled.
@@ -271,7 +282,14 @@ Bristle make_bristle(const Preset& preset, const Place& place, std::uint32_t ind
 
 double outline_area_mm2(const TipPreset& tip) {
     const double box_mm2 = tip.width_mm * depth_of(tip);
-    return is_oval(tip.shape) ? core::kPi / 4.0 * box_mm2 : box_mm2;
+    return is_oval(tip) ? core::kPi / 4.0 * box_mm2 : box_mm2;
+}
+
+/// Radius of a footprint against the distance of the elements. Those of hairs pass one after the other
+/// over a place; what rolls or stamps has to cover it with those that happen to stand there.
+double footprint_share(const TipPreset& tip) {
+    constexpr double kSliding = 0.72, kStanding = 1.1;
+    return tip.girth_mm > 0.0 || tip.pores_mm > 0.0 ? kStanding : kSliding;
 }
 
 /// The four nearest of every bristle, each pair once, in order.
@@ -332,8 +350,9 @@ Tip make_tip(const Preset& preset, std::uint32_t seed, const Gathering& gatherin
     tip.half_width_mm = 0.5 * preset.tip.width_mm;
     tip.area_mm2 = outline_area_mm2(preset.tip) / count;
     tip.capacity_mm3 = full_film_mm(preset) * preset.paint.run_mm * preset.tip.width_mm / count;
-    tip.radius_mm = row ? 0.5 * preset.tip.thickness_mm : 0.72 * std::sqrt(tip.area_mm2);
-    const double lane_share = preset.tip.shape == TipShape::Comb ? kToothShare : 1.0;
+    tip.radius_mm =
+        row ? 0.5 * preset.tip.thickness_mm : footprint_share(preset.tip) * std::sqrt(tip.area_mm2);
+    const double lane_share = preset.tip.shape == TipShape::Comb ? 0.5 * preset.tip.tooth : 1.0;
     tip.lane_mm = row ? lane_share * preset.tip.width_mm / count : 0.0;
     const double gathered = gathered_share(preset.paint, gathering);
     tip.dip_seed = gathered > 0.0 ? core::scramble(mixed_seed + gathering.number) : mixed_seed;

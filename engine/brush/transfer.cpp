@@ -164,10 +164,12 @@ ExchangeRule exchange_rule(const Brush& brush, int index, const Contact& contact
     ExchangeRule rule{};
     set_axes(brush, contact, rates, rule);
     rule.underside_mm = contact.support_mm + tau_mm;
-    rule.side_by_side = brush.preset.tip.shape == TipShape::Knife;
+    rule.side_by_side = brush.tip.rigid && brush.preset.tip.shape != TipShape::Comb;
     rule.lane_core = rates.tip->lane_core;
     rule.crown = rates.tip->crown;
     rule.cover = rates.tip->cover / std::max({contact.alone, square(1.0F - saturation), kLeastAlone});
+    rule.bearing_mm = contact.support_mm;
+    rule.coat = static_cast<float>(paint.coat);
     rule.profile_mm = wet_mm;
     rule.profile = rates.tip->profile_of(index);
     rule.segments = rates.tip->segments;

@@ -26,6 +26,9 @@
 //   g < 0: it loses q |g| pickup, at most nine tenths of h,
 //   and equal volumes q mix (0.4 + 1.2 body) min(h, h_0, V / 2 area) are swapped,
 //
+// A tool that coats the grain (coat k from 0 to 1) drives the surface to z - k (s - c) instead, as thick
+// a coat in a hollow as on a crown, of the share 1 - k (1 - chi) of it where it hardly reaches.
+//
 // h_0 being what the tip found there when it came: nothing is swapped with paint that the stroke itself
 // has just laid down, which would blur its streaks.
 //

@@ -105,14 +105,18 @@ PASTOSO_LANE_FUNCTION Wanted wanted_at(const ExchangeRule& rule, const Profile& 
     const auto quanta = lanes::load<Ints>(batch.thickness + i);
     const Ints found = found_thickness(lanes::load<Ints>(batch.found + i));
     const Floats h = lanes::convert<float>(quanta) * kQuantum_mm;
-    const Floats wanted = rule.underside_mm + rule.profile_mm * profile_at(profile, rule, s);
-    const Floats surface = lanes::load<Floats>(batch.support_mm + i) + h;
+    const auto support = lanes::load<Floats>(batch.support_mm + i);
+    const Floats wanted = rule.underside_mm + rule.profile_mm * profile_at(profile, rule, s) -
+                          rule.coat * (rule.bearing_mm - support);
+    const Floats surface = support + h;
     const Floats gap = wanted - surface;
     const Floats reached = lanes::max((surface - rule.lowest_mm) * rule.fade_per_mm, none);
-    const Floats closed = rule.rate * weight * lanes::min(reached, Floats(1.0F));
+    const Floats touched = lanes::min(reached, Floats(1.0F));
+    const Floats closed = rule.rate * weight * touched;
     const Floats share = kLane ? lane_part(rule, closed, s) : closed;
 
-    const Floats covered = lanes::min(weight * rule.cover, Floats(1.0F));
+    const Floats covered =
+        lanes::min(weight * rule.cover, Floats(1.0F)) * (1.0F - rule.coat * (1.0F - touched));
     const Floats missing = covered * (gap + h) - h;
     const Floats given = lanes::min(share * lanes::max(missing, none), Floats(kMost_mm));
     const Floats taken = lanes::max(share * gap * rule.pickup, -kLargestBite * h);

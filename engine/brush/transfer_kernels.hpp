@@ -34,6 +34,8 @@ struct ExchangeRule {
     float crown;           ///< -1 to 1
     float cover;           ///< share of a cell that is covered, over the weight there; at most 1
     float underside_mm;    ///< height that the paint surface is driven to where the profile is 0
+    float bearing_mm;      ///< height of what the element bears on
+    float coat;  ///< 0: the surface is driven there, 1: a coat as thick as it is above the bearing
     float profile_mm;      ///< how much higher where the profile is 1
     const float* profile;  ///< from s = -1 to s = 1
     int segments;          ///< of the profile, between segments + 1 heights

@@ -13,9 +13,9 @@ using Numbers = PackedMoves::Numbers;
 
 constexpr std::size_t kBlockBytes = 64 * 1024;
 
-/// The lengths of the eight differences in bytes, 0 to 8, four bits each; then their bytes, the lowest
+/// The lengths of the nine differences in bytes, 0 to 8, four bits each; then their bytes, the lowest
 /// first.
-constexpr std::size_t kLengthsBytes = 4;
+constexpr std::size_t kLengthsBytes = 5;
 constexpr std::size_t kMostMoveBytes = kLengthsBytes + PackedMoves::kNumbers * sizeof(std::uint64_t);
 
 Numbers numbers_of(const TimedSample& move) {
@@ -28,13 +28,14 @@ Numbers numbers_of(const TimedSample& move) {
             bits(sample.pressure),
             bits(sample.tilt_x_deg),
             bits(sample.tilt_y_deg),
-            bits(sample.rotation_deg)};
+            bits(sample.rotation_deg),
+            bits(sample.wheel)};
 }
 
 TimedSample move_of(const Numbers& numbers) {
     const auto value = [&](int i) { return std::bit_cast<double>(numbers[i]); };
     return {static_cast<std::int64_t>(numbers[0]),
-            {value(1), value(2), value(3), value(4), value(5), value(6), value(7)}};
+            {value(1), value(2), value(3), value(4), value(5), value(6), value(7), value(8)}};
 }
 
 /// Small differences of either sign become small numbers: 0, -1, 1, -2 ... are 0, 1, 2, 3 ...

@@ -24,7 +24,7 @@ struct TimedSample {
 class PackedMoves {
   public:
     /// Tick and sample as integers.
-    static constexpr int kNumbers = 8;
+    static constexpr int kNumbers = 9;
     using Numbers = std::array<std::uint64_t, kNumbers>;
 
     void add(const TimedSample& move);

@@ -1,6 +1,7 @@
 #include "document/tool_sample.hpp"
 
 #include "brush/droplets.hpp"
+#include "brush/preset_fields.hpp"
 #include "core/units.hpp"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ using brush::Preset;
 using brush::TipShape;
 using brush::ToolKind;
 
+/// Keeps what is just as small as it may be above that in its rounding.
+constexpr double kJustLess = 0.999;
+
 /// What is seen, in widths of the mark, from top to bottom and from side to side; and at least, from top
 /// to bottom.
 constexpr double kSeenHeights = 1.6, kSeenWidths = 4.0, kLeastSeen_mm = 6.4;
@@ -21,6 +25,7 @@ constexpr double kSeenHeights = 1.6, kSeenWidths = 4.0, kLeastSeen_mm = 6.4;
 ToolMark mark_of_contact(const Preset& preset) {
     constexpr double kThinFilm_mm = 0.06, kShortRun_mm = 70.0, kFine_mm = 4.0;
     if (!preset.dips || preset.tip.shape == TipShape::Knife) return ToolMark::OverWet;
+    if (preset.paint.coat > 0.0) return ToolMark::OnWeave;
     if (preset.paint.film_mm < kThinFilm_mm) return ToolMark::OverDry;
     if (preset.paint.run_mm < kShortRun_mm) return ToolMark::Dabs;
     return preset.tip.width_mm < kFine_mm ? ToolMark::Lines : ToolMark::Wave;
@@ -117,6 +122,7 @@ void paint(SampleBoard& board, ToolMark mark) {
         case ToolMark::Wave:
         case ToolMark::OverWet:
         case ToolMark::OverDry:
+        case ToolMark::OnWeave:
         case ToolMark::Stream:
             return paint_wave(board);
         case ToolMark::Lines:
@@ -156,7 +162,15 @@ double sample_width_mm(double mark_mm, int width_px, int height_px) {
 
 pigment::Image8 tool_sample(const Preset& preset, ToolMark mark, const SampleBoard::Size& size,
                             core::ThreadPool& pool, const std::function<bool()>& cancelled) {
-    SampleBoard board(size, mark == ToolMark::OverDry ? "linen" : "panel", pool, cancelled);
+    const double shrunk = size.width_px / size.width_mm / size.cell_px / kMinPxPerMm;
+    if (shrunk < 1.0) {
+        SampleBoard::Size smaller = size;
+        smaller.width_mm *= shrunk * kJustLess;
+        const Preset tool = brush::resized(preset, preset.tip.width_mm * shrunk * kJustLess);
+        return tool_sample(brush::within_ranges(tool), mark, smaller, pool, cancelled);
+    }
+    const bool has_weave = mark == ToolMark::OverDry || mark == ToolMark::OnWeave;
+    SampleBoard board(size, has_weave ? "linen" : "panel", pool, cancelled);
     prepare(board, mark);
     dip(board, preset);
     paint(board, mark);

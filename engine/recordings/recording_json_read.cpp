@@ -35,19 +35,20 @@ document::CanvasSettings read_canvas(const files::JsonPlace& place) {
     return canvas;
 }
 
-/// [time, x, y, pressure, tilt_x, tilt_y, rotation]; angles left out at the end are 0.
+/// [time, x, y, pressure, tilt_x, tilt_y, rotation, wheel]; what is left out at the end is 0.
 brush::PenSample read_sample(const files::JsonPlace& place) {
     const std::size_t count = place.size();
-    if (count < 4 || count > 7) {
+    if (count < 4 || count > 8) {
         place.fail(
-            "a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.",
+            "a sample has 4 to 8 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation, wheel; "
+            "here are %1.",
             count);
     }
-    double numbers[7] = {};
+    double numbers[8] = {};
     for (std::size_t i = 0; i < count; ++i)
         numbers[i] = place.element(i).number();
     const brush::PenSample sample{numbers[0], numbers[1], numbers[2], numbers[3],
-                                  numbers[4], numbers[5], numbers[6]};
+                                  numbers[4], numbers[5], numbers[6], numbers[7]};
     place.guard([&] { document::check_sample(sample); });
     return sample;
 }

@@ -16,13 +16,16 @@ std::string one_line(const files::Json& value) {
     return value.dump(-1, ' ', false, files::Json::error_handler_t::replace);
 }
 
-/// Time, x, y and pressure; the angles only as far as they are not 0.
+/// Time, x, y and pressure; the angles and the wheel only as far as they are not 0.
 files::Json sample_json(const brush::PenSample& sample) {
     files::Json json = files::Json::array({sample.time_s, sample.x_mm, sample.y_mm, sample.pressure});
-    if (sample.tilt_x_deg == 0.0 && sample.tilt_y_deg == 0.0 && sample.rotation_deg == 0.0) return json;
-    json.push_back(sample.tilt_x_deg);
-    json.push_back(sample.tilt_y_deg);
-    if (sample.rotation_deg != 0.0) json.push_back(sample.rotation_deg);
+    std::size_t numbers = json.size();
+    for (const double value :
+         {sample.tilt_x_deg, sample.tilt_y_deg, sample.rotation_deg, sample.wheel}) {
+        json.push_back(value);
+        if (value != 0.0) numbers = json.size();
+    }
+    json.erase(json.begin() + static_cast<std::ptrdiff_t>(numbers), json.end());
     return json;
 }
 

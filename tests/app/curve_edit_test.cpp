@@ -73,8 +73,11 @@ TEST(AddedCurves, ChangeNothingUntilTheyAreBent) {
     const std::vector<Curves> tools = {
         {}, {{DynamicsInput::Pressure, DynamicsTarget::Press, {{0, 0}, {0.3, 0.22}, {1, 1}}}}};
     for (const Curves& before : tools) {
-        for (const auto input : {DynamicsInput::Pressure, DynamicsInput::Tilt,
-                                 DynamicsInput::BarrelRotation, DynamicsInput::Speed}) {
+        for (const auto input :
+             {DynamicsInput::Pressure, DynamicsInput::Tilt, DynamicsInput::BarrelRotation,
+              DynamicsInput::Speed, DynamicsInput::Direction, DynamicsInput::Distance,
+              DynamicsInput::Time, DynamicsInput::Fade, DynamicsInput::StrokeRandom,
+              DynamicsInput::DabRandom, DynamicsInput::Wheel, DynamicsInput::Load}) {
             for (const auto target :
                  {DynamicsTarget::Press, DynamicsTarget::Lean, DynamicsTarget::Rotation,
                   DynamicsTarget::Film, DynamicsTarget::Pickup, DynamicsTarget::Spread}) {
@@ -101,6 +104,13 @@ TEST(AddedCurves, LeaveThePressureItsSay) {
     EXPECT_EQ(add_curve(curves, DynamicsInput::Speed, DynamicsTarget::Press), 1);
     EXPECT_EQ(find_curve(curves, DynamicsInput::Pressure, DynamicsTarget::Press), 0);
     EXPECT_EQ(find_curve(curves, DynamicsInput::Tilt, DynamicsTarget::Press), -1);
+}
+
+TEST(AddedCurves, LeaveTheBarrelItsSay) {
+    Curves curves;
+    EXPECT_EQ(add_curve(curves, DynamicsInput::Direction, DynamicsTarget::Rotation), 1);
+    EXPECT_EQ(find_curve(curves, DynamicsInput::BarrelRotation, DynamicsTarget::Rotation), 0);
+    EXPECT_EQ(curves[1].points, (CurvePoints{{0.0, 0.0}, {360.0, 0.0}}));
 }
 
 TEST(AddedCurves, AreThoseThatTheToolFeels) {

@@ -41,7 +41,7 @@ TEST(PresetRows, ShowWhatTheFieldAllowsAndHaveRoomForIt) {
 
 TEST(PresetRows, SayWhatANumberMeansAndHowFarItGoes) {
     const PresetPage& tip = preset_pages().front();
-    EXPECT_EQ(explanation_of(tip, tip.rows.front()).toStdString(), "Width of the tip. From 1 to 60 mm.");
+    EXPECT_EQ(explanation_of(tip, tip.rows.front()).toStdString(), "Width of the tip. From 1 to 200 mm.");
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST(Preset, SaysWhichValueIsOutOfRange) {
               "test.json: exchange.pickup is 1.5, outside 0.0 to 1.0.");
     EXPECT_THAT(error_with("/tip/width", -1), HasSubstr("tip.width is -1, outside"));
     EXPECT_THAT(error_with("/tip/bristles", 100000), HasSubstr("tip.bristles is 100000, outside"));
-    EXPECT_THAT(error_with("/version", 5), HasSubstr("version is 5"));
+    EXPECT_THAT(error_with("/version", 6), HasSubstr("version is 6"));
 }
 
 TEST(Preset, OfVersionThreeNeverRides) {
@@ -102,6 +102,18 @@ TEST(Preset, OfVersionThreeNeverRides) {
     EXPECT_THAT(error_of(three.dump()), HasSubstr("flex.ride"));
     three["flex"].erase("ride");
     EXPECT_EQ(parse_preset(three.dump(), "test.json").flex.ride, 0.0);
+}
+
+TEST(Preset, OfVersionFourHasTheTeethOfItsTime) {
+    const Preset four = parse_preset(valid_preset().dump(), "test.json");
+    EXPECT_EQ(four.tip.tooth, 0.6);
+    EXPECT_EQ(four.tip.pores_mm, 0.0);
+    EXPECT_EQ(four.tip.girth_mm, 0.0);
+    EXPECT_EQ(four.paint.coat, 0.0);
+    json five = valid_preset();
+    five["version"] = 5;
+    EXPECT_THAT(error_of(five.dump()), HasSubstr("tip.tooth is missing"));
+    EXPECT_THAT(error_with("/tip/girth", 30), HasSubstr("tip.girth is not a field"));
 }
 
 TEST(Preset, OfVersionTwoNeverGathersItsHairs) {
@@ -118,7 +130,7 @@ TEST(Preset, OfVersionTwoNeverGathersItsHairs) {
 TEST(Preset, SaysWhichChoiceIsUnknown) {
     EXPECT_EQ(error_with("/tip/shape", "broom"),
               "test.json: tip.shape is \"broom\", which is none of: round, flat, filbert, fan, "
-              "knife, comb, pad.");
+              "knife, comb, pad, nib.");
     EXPECT_THAT(error_with("/units/length", "inch"), HasSubstr("units.length is \"inch\""));
     EXPECT_THAT(error_with("/dynamics/0/input", "mood"), HasSubstr("dynamics[0].input is \"mood\""));
 }
@@ -157,7 +169,7 @@ TEST(BundledPresets, AreManyAndOfEveryKind) {
         kinds.insert(preset.kind);
     }
     EXPECT_GE(names.size(), 24U);
-    EXPECT_EQ(shapes.size(), 7U);
+    EXPECT_EQ(shapes.size(), 8U);
     EXPECT_EQ(kinds.size(), 3U);
 }
 
@@ -243,6 +255,19 @@ TEST(WithNumber, APointIsNeverLongerThanTheHairs) {
     EXPECT_EQ(preset.tip.point_mm, 12.0);
 }
 
+TEST(WithinRanges, TakesBackWhatAWideTipHasTooMuchOf) {
+    for (const Preset& preset : bundled_presets()) {
+        EXPECT_EQ(within_ranges(preset), preset) << preset.name;
+        const Preset wide = within_ranges(resized(preset, 200.0));
+        EXPECT_EQ(wide.tip.width_mm, 200.0);
+        const Preset read = parse_preset(preset_to_json(wide), "wide");
+        if (preset.kind == ToolKind::Contact) {
+            EXPECT_EQ(read, wide) << preset.name;
+        }
+    }
+    EXPECT_EQ(within_ranges(resized(find_preset("rigger"), 200.0)).tip.length_mm, 400.0);
+}
+
 TEST(WithNumber, NoMoreDropsFallThanAPictureShows) {
     Preset preset = find_preset("spray");
     preset = with_number(preset, field_named("droplets", "rate"), 10000.0);
@@ -263,6 +288,9 @@ TEST(Resized, ScalesTheTipInProportion) {
     EXPECT_EQ(resized(find_preset("flat"), 100.0).tip.bristles, 250);
     EXPECT_EQ(resized(find_preset("flat"), 0.5).tip.bristles, 30);
     EXPECT_EQ(resized(find_preset("flat"), 0.0).tip.width_mm, 20.0);
+    const Preset roller = resized(find_preset("roller"), 25.0);
+    EXPECT_EQ(roller.tip.girth_mm, find_preset("roller").tip.girth_mm);
+    EXPECT_EQ(2 * roller.tip.bristles, find_preset("roller").tip.bristles);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "brush/stroke.hpp"
 #include "brush/studio.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -78,6 +79,14 @@ TEST_P(Threads, AnyNumberPaintsTheSameBitsWithAFlat) {
 
 TEST_P(Threads, AnyNumberPaintsTheSameBitsWithARound) {
     expect_same_bits(studio::round_preset(14.0));
+}
+
+TEST_P(Threads, AnyNumberPaintsTheSameBitsWithEveryOtherKindOfTip) {
+    for (const char* name : {"Charcoal 8", "Oil pastel 10", "Calligraphy nib 3", "Ruling pen 1",
+                             "Sponge 45", "Roller 50", "Squeegee 120"}) {
+        SCOPED_TRACE(name);
+        expect_same_bits(resized(find_preset(name), std::min(find_preset(name).tip.width_mm, 16.0)));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(On, Threads,

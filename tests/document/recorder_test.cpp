@@ -47,7 +47,7 @@ TimedSample scrambled(std::uint32_t i) {
         return std::bit_cast<double>(high << 32 | low);
     };
     return {static_cast<std::int64_t>(i) * i,
-            {value(0), value(1), value(2), value(3), value(4), value(5), value(6)}};
+            {value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7)}};
 }
 
 TEST(PackedMoves, ComeBackBitByBit) {

@@ -46,6 +46,14 @@ TEST(Thumbnail, IsTheSameEveryTimeAndOnAnyThreads) {
               thumbnail(preset, kWidth_px, kHeight_px, three).rgb);
 }
 
+TEST(Thumbnail, ShowsTheWidestToolsToo) {
+    core::ThreadPool pool(1);
+    for (const char* name : {"squeegee", "flat", "Marbling comb 80"}) {
+        const brush::Preset wide = brush::resized(brush::find_preset(name), 200.0);
+        EXPECT_GT(painted_pixels(thumbnail(wide, kWidth_px, kHeight_px, pool)), 100) << name;
+    }
+}
+
 TEST(Thumbnail, ShowsWhatAToolDoesInWetPaint) {
     core::ThreadPool pool(1);
     brush::Preset rag = brush::find_preset("rag");

@@ -271,9 +271,9 @@ TEST(RecordingJson, RefusesSamplesOutOfRange) {
     EXPECT_THAT(stroke_error("[[0,1e9,2,1]]"), HasSubstr("samples[0]: the x of the pen in mm is 1e+09"));
     EXPECT_THAT(stroke_error("[[0,1,2,1,91]]"),
                 HasSubstr("samples[0]: the x tilt of the pen in degrees is 91"));
-    EXPECT_THAT(stroke_error("[[0,1,2]]"), HasSubstr("samples[0]: a sample has 4 to 7 numbers"));
-    EXPECT_THAT(stroke_error("[[0,1,2,1,0,0,0,0]]"),
-                HasSubstr("samples[0]: a sample has 4 to 7 numbers"));
+    EXPECT_THAT(stroke_error("[[0,1,2]]"), HasSubstr("samples[0]: a sample has 4 to 8 numbers"));
+    EXPECT_THAT(stroke_error("[[0,1,2,1,0,0,0,0,0]]"),
+                HasSubstr("samples[0]: a sample has 4 to 8 numbers"));
     EXPECT_THAT(stroke_error("[]"), HasSubstr("stroke.samples: a stroke needs at least one sample."));
 }
 
@@ -448,6 +448,18 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         recording.events = {{0, ScaleCanvas{2.0, 2.0, 1.0}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 13,")) << arithmetic;
     }
+}
+
+TEST(RecordingJson, TellsTheWheelWhereItIsTurned) {
+    Recording recording;
+    recording.events = {
+        {0, PenDown{{.pressure = 0.5}}}, {0, PenMove{{.pressure = 0.5, .wheel = -0.25}}}, {0, PenUp{}}};
+    recording.arithmetic = document::kArithmetic;
+    const std::string text = recording_to_json(recording);
+    EXPECT_THAT(text, HasSubstr("\"version\": 13,"));
+    EXPECT_THAT(text, HasSubstr("[0.0,0.0,0.0,0.5],[0.0,0.0,0.0,0.5,0.0,0.0,0.0,-0.25]"));
+    EXPECT_EQ(recording_from_json(text, "s.json"), recording);
+    EXPECT_THAT(stroke_error("[[0,1,2,1,0,0,0,2]]"), HasSubstr("the wheel of the pen is 2"));
 }
 
 TEST(RecordingJson, SaysThatItsClothWasTurned) {

@@ -36,16 +36,20 @@ struct Family {
     QString heading;
 };
 
-/// Bristles first, then what is stiff, then what is soft.
+/// Bristles first, then what is stiff, then what is soft, then what does not touch.
 Family family_of(const brush::Preset& preset) {
-    if (preset.kind == brush::ToolKind::Droplets) return {3, QObject::tr("Drops and sprays")};
-    if (preset.kind == brush::ToolKind::Air) return {4, QObject::tr("Air")};
+    if (preset.kind == brush::ToolKind::Droplets) return {6, QObject::tr("Drops and sprays")};
+    if (preset.kind == brush::ToolKind::Air) return {7, QObject::tr("Air")};
+    if (preset.paint.coat > 0.0) return {3, QObject::tr("Charcoal and pastels")};
     switch (preset.tip.shape) {
         case brush::TipShape::Knife:
         case brush::TipShape::Comb:
             return {1, QObject::tr("Knives and combs")};
+        case brush::TipShape::Nib:
+            return {2, QObject::tr("Pens")};
         case brush::TipShape::Pad:
-            return {2, QObject::tr("Rags and fingers")};
+            if (preset.dips) return {4, QObject::tr("Sponges and rollers")};
+            return {5, QObject::tr("Rags and fingers")};
         default:
             return {0, QObject::tr("Brushes")};
     }

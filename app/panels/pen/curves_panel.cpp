@@ -33,6 +33,22 @@ QString input_words(DynamicsInput input) {
             return QObject::tr("Barrel");
         case DynamicsInput::Speed:
             return QObject::tr("Speed");
+        case DynamicsInput::Direction:
+            return QObject::tr("Direction of the stroke");
+        case DynamicsInput::Distance:
+            return QObject::tr("Distance travelled");
+        case DynamicsInput::Time:
+            return QObject::tr("Time since the touch");
+        case DynamicsInput::Fade:
+            return QObject::tr("Distance in brush widths");
+        case DynamicsInput::StrokeRandom:
+            return QObject::tr("Chance, each stroke");
+        case DynamicsInput::DabRandom:
+            return QObject::tr("Chance along the stroke");
+        case DynamicsInput::Wheel:
+            return QObject::tr("Wheel");
+        case DynamicsInput::Load:
+            return QObject::tr("Paint left on the tool");
     }
     return {};
 }
@@ -71,6 +87,17 @@ QString input_text(DynamicsInput input, double value) {
             return QObject::tr("%1 % pressure").arg(100.0 * value, 0, 'f', 0);
         case DynamicsInput::Speed:
             return QObject::tr("%1 mm/s").arg(value, 0, 'f', 0);
+        case DynamicsInput::Distance:
+            return QObject::tr("%1 mm").arg(value, 0, 'f', 0);
+        case DynamicsInput::Time:
+            return QObject::tr("%1 s").arg(value, 0, 'f', 1);
+        case DynamicsInput::Fade:
+            return QObject::tr("%1 widths").arg(value, 0, 'f', 1);
+        case DynamicsInput::StrokeRandom:
+        case DynamicsInput::DabRandom:
+        case DynamicsInput::Wheel:
+        case DynamicsInput::Load:
+            return QStringLiteral("%1 %").arg(100.0 * value, 0, 'f', 0);
         default:
             return QStringLiteral("%1\u00b0").arg(value, 0, 'f', 0);
     }
@@ -88,8 +115,11 @@ QString output_text(DynamicsTarget target, double value) {
     }
 }
 
-constexpr std::array kInputs = {DynamicsInput::Pressure, DynamicsInput::Tilt,
-                                DynamicsInput::BarrelRotation, DynamicsInput::Speed};
+constexpr std::array kInputs = {
+    DynamicsInput::Pressure, DynamicsInput::Tilt,         DynamicsInput::BarrelRotation,
+    DynamicsInput::Wheel,    DynamicsInput::Direction,    DynamicsInput::Speed,
+    DynamicsInput::Distance, DynamicsInput::Fade,         DynamicsInput::Time,
+    DynamicsInput::Load,     DynamicsInput::StrokeRandom, DynamicsInput::DabRandom};
 constexpr std::array kTargets = {DynamicsTarget::Press, DynamicsTarget::Lean,   DynamicsTarget::Rotation,
                                  DynamicsTarget::Reach, DynamicsTarget::Film,   DynamicsTarget::Pickup,
                                  DynamicsTarget::Flow,  DynamicsTarget::Spread, DynamicsTarget::Ride};

@@ -1,5 +1,5 @@
-// How the tool in hand answers to pressure, tilt, rotation and speed: its curves, one at a time, which
-// are bent, added and removed.
+// How the tool in hand answers to the hand, to its way, its load and chance: its curves, one at a time,
+// which are bent, added and removed.
 #pragma once
 
 #include "brush/preset.hpp"

@@ -8,9 +8,9 @@ namespace {
 using brush::Preset;
 
 /// In the order of brush::TipShape.
-constexpr const char* kShapes[] = {QT_TR_NOOP("round"),   QT_TR_NOOP("flat"),  QT_TR_NOOP("filbert"),
-                                   QT_TR_NOOP("fan"),     QT_TR_NOOP("knife"), QT_TR_NOOP("comb"),
-                                   QT_TR_NOOP("soft pad")};
+constexpr const char* kShapes[] = {QT_TR_NOOP("round"),    QT_TR_NOOP("flat"),  QT_TR_NOOP("filbert"),
+                                   QT_TR_NOOP("fan"),      QT_TR_NOOP("knife"), QT_TR_NOOP("comb"),
+                                   QT_TR_NOOP("soft pad"), QT_TR_NOOP("nib")};
 constexpr const char* kDips[] = {QT_TR_NOOP("used as it is"), QT_TR_NOOP("dipped in paint")};
 constexpr const char* kAbsorbs[] = {QT_TR_NOOP("stays on the tool"), QT_TR_NOOP("is thrown away")};
 /// In the order of brush::JitterSeed.

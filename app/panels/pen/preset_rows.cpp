@@ -28,7 +28,10 @@ constexpr PresetRow kTip[] = {
     {"point", QT_TR_NOOP("Point"), kMillimetres, 1.0, 1, false, Usual{0.0, 40.0}},
     {"bristles", QT_TR_NOOP("Bristles"), "", 1.0, 0, true, Usual{4.0, 400.0}},
     {"hairs_per_bristle", QT_TR_NOOP("Hairs in each"), "", 1.0, 0},
-    {"seed", QT_TR_NOOP("Piece"), "", 1.0, 0, false, Usual{0.0, 200.0}}};
+    {"seed", QT_TR_NOOP("Piece"), "", 1.0, 0, false, Usual{0.0, 200.0}},
+    {"tooth", QT_TR_NOOP("Teeth"), kPercent, 100.0},
+    {"pores", QT_TR_NOOP("Pores"), kMillimetres, 1.0, 1, false, Usual{0.0, 20.0}},
+    {"girth", QT_TR_NOOP("Girth"), kMillimetres, 1.0, 0, false, Usual{0.0, 300.0}}};
 
 constexpr PresetRow kFlex[] = {
     {"bend", QT_TR_NOOP("Bend"), kPercent, 100.0},
@@ -49,7 +52,8 @@ constexpr PresetRow kPaint[] = {{"film", QT_TR_NOOP("Film"), kMillimetres, 1.0, 
                                 {"edge", QT_TR_NOOP("Edges"), "", 1.0, 2},
                                 {"start", QT_TR_NOOP("Start"), "", 1.0, 2},
                                 {"leave", QT_TR_NOOP("Stays behind"), kPercent, 100.0},
-                                {"reach", QT_TR_NOOP("Reach"), "", 1.0, 2, true}};
+                                {"reach", QT_TR_NOOP("Reach"), "", 1.0, 2, true},
+                                {"coat", QT_TR_NOOP("On the grain"), kPercent, 100.0}};
 
 constexpr PresetRow kExchange[] = {{"pickup", QT_TR_NOOP("Pickup"), kPercent, 100.0},
                                    {"mix", QT_TR_NOOP("Mixing"), kPercent, 100.0},

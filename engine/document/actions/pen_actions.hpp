@@ -76,6 +76,8 @@ struct Table<brush::PenSample> {
         visit(Number<At<&Sample::rotation_deg>>{"rotation_deg", core::Pattern<0>("rotation of the pen"),
                                                 core::Pattern<0>("degrees"), -3600.0, 3600.0,
                                                 Presence::Optional});
+        visit(Number<At<&Sample::wheel>>{"wheel", core::Pattern<0>("wheel of the pen"), "", -1.0, 1.0,
+                                         Presence::Optional, "of an airbrush", 13});
     }
 };
 
