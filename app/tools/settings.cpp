@@ -106,7 +106,7 @@ Settings read_settings(const std::filesystem::path& file) {
     Settings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
         root.allow_only({"version", "pen", "window", "undo_memory_MiB", "light", "recent_commands",
-                         "show_start_page", "medium_numbers_open"});
+                         "show_start_page", "medium_numbers_open", "brush_editor_page"});
         if (const auto recent = root.optional_entry("recent_commands"))
             settings.recent_commands = read_texts(*recent);
         if (const auto light = root.optional_entry("light")) {
@@ -125,6 +125,8 @@ Settings read_settings(const std::filesystem::path& file) {
             settings.show_start_page = shown->boolean();
         if (const auto open = root.optional_entry("medium_numbers_open"))
             settings.medium_numbers_open = open->boolean();
+        if (const auto page = root.optional_entry("brush_editor_page"))
+            settings.brush_editor_page = static_cast<int>(page->integer(0, kMostBrushEditorPage));
         const JsonPlace pen = root.entry("pen"), window = root.entry("window");
         pen.allow_only({"steadying", "reload_each_stroke", "turn_with_stroke"});
         window.allow_only({"place", "panels"});
@@ -145,6 +147,7 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
                     {"turn_with_stroke", settings.turn_with_stroke}}},
                   {"show_start_page", settings.show_start_page},
                   {"medium_numbers_open", settings.medium_numbers_open},
+                  {"brush_editor_page", settings.brush_editor_page},
                   {"undo_memory_MiB", settings.undo_memory_MiB},
                   {"light",
                    {{"azimuth_deg", settings.light_azimuth_deg},

@@ -13,6 +13,8 @@ namespace pastoso::tools {
 /// Memory for the steps that Undo returns to: at first, and what can be chosen.
 inline constexpr int kUndoMemory_MiB = 512, kLeastUndoMemory_MiB = 64, kMostUndoMemory_MiB = 65536;
 
+inline constexpr int kMostBrushEditorPage = 20;
+
 struct Settings {
     Steadying steadying;
     bool reload_each_stroke = true;
@@ -25,6 +27,7 @@ struct Settings {
     std::vector<std::string> recent_commands;  ///< of the palette, by name, the latest first
     bool show_start_page = true;               ///< when the program starts without a file
     bool medium_numbers_open = false;          ///< those below the words for a medium
+    int brush_editor_page = 0;                 ///< the one that was open last, 0 to kMostBrushEditorPage
     std::string window_place;                  ///< as Qt writes it, in base 64; empty: nothing is known
     std::string panels;  ///< the same: which stand where, how large, and which are open
     friend bool operator==(const Settings&, const Settings&) = default;

@@ -4,8 +4,11 @@
 #include "document/actions/actions.hpp"
 #include "panels/pen/brush_editor.hpp"
 #include "panels/pen/brush_list.hpp"
+#include "panels/pen/curves_panel.hpp"
 #include "panels/pen/preset_rows.hpp"
 #include "panels/pen/stroke_strip.hpp"
+
+#include <algorithm>
 
 #include <QAction>
 #include <QComboBox>
@@ -141,6 +144,47 @@ TEST_F(BrushEditorWindow, RevertMakesTheToolAgainWhatIsSaved) {
     EXPECT_FALSE(revert().isEnabled());
 }
 
+TEST_F(BrushEditorWindow, OneNumberIsResetForItself) {
+    auto& film = *editor().findChild<QToolButton*>(QStringLiteral("paint_film_reset"));
+    auto& thickness = *editor().findChild<QToolButton*>(QStringLiteral("tip_thickness_reset"));
+    EXPECT_FALSE(film.isEnabled());
+    number("paint_film").setValue(0.4);
+    number("flex_bend").setValue(90.0);
+    ASSERT_TRUE(film.isEnabled());
+    film.click();
+    EXPECT_EQ(number("paint_film").value(), brush::find_preset("flat").paint.film_mm);
+    EXPECT_NEAR(number("flex_bend").value(), 90.0, 1e-9) << "the others stay as they are";
+    EXPECT_FALSE(film.isEnabled());
+    action(Command::SmallerBrush)->trigger();
+    EXPECT_FALSE(thickness.isEnabled()) << "it goes with the width";
+}
+
+TEST_F(BrushEditorWindow, CurvesStandInOnePlaceAtATime) {
+    const auto all = window().findChildren<panels::CurvesPanel*>();
+    ASSERT_EQ(all.size(), 2);
+    const auto hidden = [&] {
+        return std::count_if(all.begin(), all.end(), [&](const panels::CurvesPanel* curves) {
+            return !editor().isAncestorOf(curves) && curves->isHidden();
+        });
+    };
+    EXPECT_EQ(hidden(), 1);
+    QTest::keyClick(&editor(), Qt::Key_F5);
+    EXPECT_EQ(hidden(), 0);
+}
+
+TEST_F(BrushEditorWindow, TheWidestToolCanBeEdited) {
+    take("Rigger 2");
+    studio().easel().set_brush_width(200.0);
+    studio().show_hand();
+    EXPECT_NEAR(number("tip_width").value(), 200.0, 1e-9);
+    number("paint_film").setValue(0.2);
+    stroke();
+    const brush::Preset painted = brush::parse_preset(last_taken().definition, "recorded");
+    EXPECT_EQ(painted.paint.film_mm, 0.2);
+    EXPECT_EQ(last_taken().size_mm, 200.0);
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
 TEST_F(BrushEditorWindow, TheStripIsPaintedAnewAndTheSavedOneStaysBesideIt) {
     editor().findChild<QToolButton*>(QStringLiteral("compare_brush"))->setChecked(true);
     const QImage before = painted("stroke_in_hand"), saved = painted("stroke_saved");
@@ -170,6 +214,8 @@ TEST_F(BrushEditorWindow, HidesPagesWithoutNumbersAndComesAndGoesWithItsKey) {
     EXPECT_FALSE(pages.findItems(QStringLiteral("Drops"), Qt::MatchExactly).front()->isHidden());
     EXPECT_TRUE(pages.findItems(QStringLiteral("Hairs"), Qt::MatchExactly).front()->isHidden());
     EXPECT_EQ(pages.currentItem()->text(), QStringLiteral("Tip"));
+    take("Filbert 14");
+    EXPECT_EQ(pages.currentItem()->text(), QStringLiteral("Hairs")) << "where it was left";
     QTest::keyClick(&editor(), Qt::Key_F5);
     EXPECT_FALSE(editor().isVisible());
     action(Command::BrushEditor)->trigger();

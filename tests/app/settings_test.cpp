@@ -45,6 +45,7 @@ TEST_F(SettingsTest, ComeBackAsTheyWereWritten) {
     settings.recent_commands = {"dry_now", "of another version"};
     settings.show_start_page = false;
     settings.medium_numbers_open = true;
+    settings.brush_editor_page = 4;
     settings.window_place = "AdnQywAD";
     settings.panels = "AAAA/wAAAAD9";
     write_settings(settings, file());

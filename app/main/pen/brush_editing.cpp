@@ -1,7 +1,9 @@
 #include "main/pen/brush_editing.hpp"
 
+#include "brush/preset_fields.hpp"
 #include "main/pen/brush_jar.hpp"
 #include "panels/pen/brush_editor.hpp"
+#include "panels/pen/curves_panel.hpp"
 
 #include <QAction>
 #include <QMainWindow>
@@ -10,7 +12,8 @@ namespace pastoso::main {
 
 using commands::Command;
 
-BrushEditing::BrushEditing(Studio& studio, const BrushJar& jar) : studio_(studio), jar_(jar) {
+BrushEditing::BrushEditing(Studio& studio, const BrushJar& jar, panels::CurvesPanel* curves)
+    : studio_(studio), jar_(jar), curves_(curves) {
     studio_.commands().on(Command::BrushEditor, [this](bool) { show_or_hide(); });
     connect(&studio_, &Studio::hand_changed, this, [this] {
         if (editor_ != nullptr && editor_->isVisible()) show();
@@ -33,14 +36,27 @@ void BrushEditing::make() {
         {action(Command::SaveBrush), action(Command::RenameBrush), action(Command::DeleteBrush)},
         studio_.teller(), &studio_.window());
     editor_->addAction(action(Command::BrushEditor));
+    editor_->open_page(page_);
+    connect(editor_, &panels::BrushEditor::shown, curves_,
+            [curves = curves_](bool shown) { curves->setHidden(shown); });
     connect(editor_, &panels::BrushEditor::edited, this, [this](const brush::Preset& preset) {
         studio_.easel().change_brush(preset, preset.tip.width_mm);
         studio_.show_hand();
     });
 }
 
+int BrushEditing::page() const {
+    return editor_ == nullptr ? page_ : editor_->open_page();
+}
+
+void BrushEditing::set_page(int page) {
+    page_ = page;
+    if (editor_ != nullptr) editor_->open_page(page);
+}
+
 void BrushEditing::show() {
-    editor_->show_tool(tools::sized_preset_in_hand(studio_.easel().hand()), jar_.kept_brush());
+    editor_->show_tool(brush::within_ranges(tools::sized_preset_in_hand(studio_.easel().hand())),
+                       jar_.kept_brush());
 }
 
 }  // namespace pastoso::main

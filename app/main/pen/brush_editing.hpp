@@ -7,6 +7,7 @@
 
 namespace pastoso::panels {
 class BrushEditor;
+class CurvesPanel;
 }
 
 namespace pastoso::main {
@@ -16,7 +17,12 @@ class BrushJar;
 class BrushEditing : public QObject {
     Q_OBJECT
   public:
-    BrushEditing(Studio& studio, const BrushJar& jar);
+    /// `curves` of the tool in hand are hidden while the editor has them.
+    BrushEditing(Studio& studio, const BrushJar& jar, panels::CurvesPanel* curves);
+
+    /// The editor's page that is open, or will be (panels::BrushEditor::open_page).
+    int page() const;
+    void set_page(int page);
 
   private:
     void show_or_hide();
@@ -25,7 +31,9 @@ class BrushEditing : public QObject {
 
     Studio& studio_;
     const BrushJar& jar_;
+    panels::CurvesPanel* curves_;
     panels::BrushEditor* editor_ = nullptr;  ///< the window's, once it was asked for
+    int page_ = 0;                           ///< before that
 };
 
 }  // namespace pastoso::main

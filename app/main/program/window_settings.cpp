@@ -6,6 +6,7 @@
 #include "main/files/start_commands.hpp"
 #include "main/paint/light_choice.hpp"
 #include "main/paint/well_commands.hpp"
+#include "main/pen/brush_editing.hpp"
 #include "panels/paint/medium_panel.hpp"
 #include "panels/pen/brush_panel.hpp"
 #include "tools/settings.hpp"
@@ -49,13 +50,15 @@ std::vector<std::string> recent_names(const commands::CommandRegistry& commands)
 }  // namespace
 
 WindowSettings::WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light,
-                               UndoCommands& undo, WellCommands& well, StartCommands& start)
+                               UndoCommands& undo, WellCommands& well, StartCommands& start,
+                               BrushEditing& brush_editing)
     : studio_(studio),
       panels_(panels),
       light_(light),
       undo_(undo),
       well_(well),
       start_(start),
+      brush_editing_(brush_editing),
       file_(studio, core::user_config_path("settings.json")) {
     studio_.commands().on(commands::Command::ResetPanels, [this](bool) { reset_panels(); });
 }
@@ -79,6 +82,7 @@ void WindowSettings::recall() {
     studio_.easel().adopt(hand);
     panels_.brushes->show_steadying(settings.steadying);
     panels_.physics->open_numbers(settings.medium_numbers_open);
+    brush_editing_.set_page(settings.brush_editor_page);
     window.restoreGeometry(from_text(settings.window_place));
     well_.set_sized(window.restoreState(from_text(settings.panels), kPanelsVersion));
 }
@@ -97,6 +101,7 @@ void WindowSettings::remember() {
     settings.varnish = light_.varnish();
     settings.recent_commands = recent_names(studio_.commands());
     settings.medium_numbers_open = panels_.physics->numbers_open();
+    settings.brush_editor_page = brush_editing_.page();
     settings.window_place = to_text(studio_.window().saveGeometry());
     settings.panels = to_text(studio_.window().saveState(kPanelsVersion));
     file_.remember([&settings](const auto& file) { tools::write_settings(settings, file); });

@@ -10,6 +10,7 @@
 
 namespace pastoso::main {
 
+class BrushEditing;
 class LightChoice;
 class StartCommands;
 class UndoCommands;
@@ -19,7 +20,7 @@ class WindowSettings : public QObject {
     Q_OBJECT
   public:
     WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light, UndoCommands& undo,
-                   WellCommands& well, StartCommands& start);
+                   WellCommands& well, StartCommands& start, BrushEditing& brush_editing);
 
     /// A file that cannot be read is told, and left as it is.
     void recall();
@@ -34,6 +35,7 @@ class WindowSettings : public QObject {
     UndoCommands& undo_;
     WellCommands& well_;
     StartCommands& start_;
+    BrushEditing& brush_editing_;
     QByteArray first_panels_;  ///< how the panels stand unless the painter moves them
     RememberedFile file_;
 };

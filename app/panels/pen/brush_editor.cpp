@@ -100,6 +100,7 @@ QWidget* BrushEditor::make_pages() {
     contents_->setFixedWidth(kContentsWidth);
     pages_ = new QStackedWidget;
     connect(contents_, &QListWidget::currentRowChanged, pages_, &QStackedWidget::setCurrentIndex);
+    connect(contents_, &QListWidget::currentRowChanged, this, [this](int page) { open_page_ = page; });
     for (const PresetPage& page : preset_pages()) {
         auto* numbers = new PresetPageView(page);
         connect(numbers, &PresetPageView::edited, this, &BrushEditor::edit);
@@ -129,6 +130,16 @@ void BrushEditor::add_page(const QString& words, QWidget* page) {
     pages_->addWidget(scrolled(page));
 }
 
+void BrushEditor::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    Q_EMIT shown(true);
+}
+
+void BrushEditor::hideEvent(QHideEvent* event) {
+    QDialog::hideEvent(event);
+    Q_EMIT shown(false);
+}
+
 // ---- the tool
 
 void BrushEditor::show_tool(const brush::Preset& in_hand, const brush::Preset& kept) {
@@ -152,11 +163,27 @@ void BrushEditor::show_all() {
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
         const bool has_some = numbers_[i]->has_some_of(tool_.kind);
         contents_->item(static_cast<int>(i))->setHidden(!has_some);
-        numbers_[i]->show_preset(tool_);
+        numbers_[i]->show_preset(tool_, kept_);
     }
-    if (contents_->currentItem()->isHidden()) contents_->setCurrentRow(0);
+    show_page();
     curves_->show_preset(tool_, kept_);
     show_strips();
+}
+
+/// The page that the painter opened last, or the first where tools of this kind have nothing on it.
+void BrushEditor::show_page() {
+    const int wanted = open_page_;
+    contents_->setCurrentRow(contents_->item(wanted)->isHidden() ? 0 : wanted);
+    open_page_ = wanted;
+}
+
+int BrushEditor::open_page() const {
+    return open_page_;
+}
+
+void BrushEditor::open_page(int page) {
+    open_page_ = std::clamp(page, 0, contents_->count() - 1);
+    show_page();
 }
 
 /// The same mark on one scale, so that widths compare as well: that of the saved tool, whose ground

@@ -32,9 +32,19 @@ class BrushEditor : public QDialog {
     /// to.
     void show_tool(const brush::Preset& in_hand, const brush::Preset& kept);
 
+    /// Which of its pages the painter has opened, from 0 on.
+    int open_page() const;
+    void open_page(int page);
+
   Q_SIGNALS:
     /// What the tool in hand is like from now on, its width among the rest.
     void edited(const brush::Preset& preset);
+    /// It has come, or gone.
+    void shown(bool visible);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
   private:
     QWidget* make_strips(const core::Tell& tell);
@@ -43,6 +53,7 @@ class BrushEditor : public QDialog {
     void add_page(const QString& words, QWidget* page);
     void edit(const brush::Preset& preset);
     void show_all();
+    void show_page();
     void show_strips();
 
     brush::Preset tool_, kept_;
@@ -54,6 +65,7 @@ class BrushEditor : public QDialog {
     QListWidget* contents_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     std::vector<PresetPageView*> numbers_;  ///< the first of the pages
+    int open_page_ = 0;
     CurvesPanel* curves_ = nullptr;
 };
 

@@ -1,5 +1,6 @@
 #include "panels/pen/preset_page.hpp"
 
+#include "appearance/icon.hpp"
 #include "panels/parts/labels.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/pen/preset_choices.hpp"
@@ -11,8 +12,21 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QToolButton>
 
 namespace pastoso::panels {
+namespace {
+
+/// What a number of the tool in hand was kept with: one that goes with the width, at the width that the
+/// tool is held with.
+double kept_number(const brush::PresetField& field, const brush::Preset& kept,
+                   const brush::Preset& in_hand) {
+    const bool is_width = field.section == "tip" && field.key == "width";
+    return field.get(is_width ? kept : brush::resized(kept, in_hand.tip.width_mm));
+}
+
+}  // namespace
+
 PresetPageView::PresetPageView(const PresetPage& page, QWidget* parent)
     : QWidget(parent), grid_(new QGridLayout(this)) {
     grid_->setContentsMargins(4, 0, 10, 0);
@@ -38,21 +52,30 @@ void PresetPageView::add(const PresetChoice& choice) {
     const int row = grid_->rowCount();
     grid_->addWidget(label, row, 0);
     grid_->addWidget(box, row, 1, 1, 2);
+    QToolButton* reset = add_reset(box->objectName(), label->text(), [this, &choice] {
+        brush::Preset changed = preset_;
+        choice.set(changed, choice.get(kept_));
+        edit(changed);
+    });
     QWidget* below = add_explanation(box->toolTip());
     connect(box, &QComboBox::activated, this, [this, &choice](int place) {
         brush::Preset changed = preset_;
         choice.set(changed, place);
         edit(changed);
     });
-    shown_.push_back(
-        {[&choice](brush::ToolKind kind) {
-             return !choice.contact_only || kind == brush::ToolKind::Contact;
-         },
-         [label, box, below](bool visible) {
-             for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(box), below})
-                 widget->setVisible(visible);
-         },
-         [box, &choice](const brush::Preset& preset) { box->setCurrentIndex(choice.get(preset)); }});
+    shown_.push_back({[&choice](brush::ToolKind kind) {
+                          return !choice.contact_only || kind == brush::ToolKind::Contact;
+                      },
+                      [label, box, reset, below](bool visible) {
+                          for (QWidget* widget :
+                               {static_cast<QWidget*>(label), static_cast<QWidget*>(box),
+                                static_cast<QWidget*>(reset), below})
+                              widget->setVisible(visible);
+                      },
+                      [this, box, reset, &choice] {
+                          box->setCurrentIndex(choice.get(preset_));
+                          reset->setEnabled(choice.get(preset_) != choice.get(kept_));
+                      }});
 }
 
 void PresetPageView::add(const PresetPage& page, const PresetRow& row) {
@@ -60,17 +83,23 @@ void PresetPageView::add(const PresetPage& page, const PresetRow& row) {
     const QString explanation = explanation_of(page, row);
     auto* value = new ValueRow(grid_, QStringLiteral("%1_%2").arg(page.section, row.key),
                                translated(row.words), explanation, range_of(page, row));
+    QToolButton* reset = add_reset(
+        QStringLiteral("%1_%2").arg(page.section, row.key), translated(row.words), [this, &field] {
+            edit(brush::with_number(preset_, field, kept_number(field, kept_, preset_)));
+        });
     QWidget* below = add_explanation(explanation);
     connect(value, &ValueRow::chosen, this, [this, &row, &field](double shown) {
         edit(brush::with_number(preset_, field, shown / row.scale));
     });
     shown_.push_back({[&field](brush::ToolKind kind) { return brush::applies_to(field, kind); },
-                      [value, below](bool visible) {
+                      [value, reset, below](bool visible) {
                           value->setVisible(visible);
+                          reset->setVisible(visible);
                           below->setVisible(visible);
                       },
-                      [value, &row, &field](const brush::Preset& preset) {
-                          value->show_value(row.scale * field.get(preset));
+                      [this, value, reset, &row, &field] {
+                          value->show_value(row.scale * field.get(preset_));
+                          reset->setEnabled(field.get(preset_) != kept_number(field, kept_, preset_));
                       }});
 }
 
@@ -78,20 +107,41 @@ QWidget* PresetPageView::add_explanation(const QString& words) {
     constexpr int kGap = 8;
     QLabel* below = note(words);
     below->setContentsMargins(0, 0, 0, kGap);
-    grid_->addWidget(below, grid_->rowCount(), 0, 1, 3);
+    grid_->addWidget(below, grid_->rowCount(), 0, 1, 4);
     return below;
 }
 
+/// Beside the row that was added last.
+QToolButton* PresetPageView::add_reset(const QString& name, const QString& words,
+                                       const std::function<void()>& reset) {
+    auto* button = new QToolButton;
+    button->setObjectName(name + QStringLiteral("_reset"));
+    button->setIcon(appearance::icon(QStringLiteral("reset_number")));
+    button->setAutoRaise(true);
+    button->setToolTip(tr("%1: as the tool is saved").arg(words));
+    button->setAccessibleName(button->toolTip());
+    keep_keys_for_canvas(button);
+    grid_->addWidget(button, grid_->rowCount() - 1, 3);
+    connect(button, &QToolButton::clicked, this, reset);
+    return button;
+}
+
 void PresetPageView::edit(const brush::Preset& preset) {
-    show_preset(preset);
+    preset_ = preset;
+    show_all();
     Q_EMIT edited(preset_);
 }
 
-void PresetPageView::show_preset(const brush::Preset& preset) {
+void PresetPageView::show_preset(const brush::Preset& preset, const brush::Preset& kept) {
     preset_ = preset;
+    kept_ = kept;
+    show_all();
+}
+
+void PresetPageView::show_all() {
     for (const Shown& shown : shown_) {
-        shown.set_visible(shown.applies(preset.kind));
-        shown.show(preset);
+        shown.set_visible(shown.applies(preset_.kind));
+        shown.show();
     }
 }
 

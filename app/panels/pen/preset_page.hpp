@@ -9,6 +9,7 @@
 #include <QWidget>
 
 class QGridLayout;
+class QToolButton;
 
 namespace pastoso::panels {
 
@@ -21,8 +22,8 @@ class PresetPageView : public QWidget {
   public:
     explicit PresetPageView(const PresetPage& page, QWidget* parent = nullptr);
 
-    /// Shows a tool, without a signal.
-    void show_preset(const brush::Preset& preset);
+    /// Shows a tool, without a signal; `kept` is what each of its numbers can be reset to.
+    void show_preset(const brush::Preset& preset, const brush::Preset& kept);
 
     /// Whether tools of this kind have any of what stands on the page.
     bool has_some_of(brush::ToolKind kind) const;
@@ -35,14 +36,17 @@ class PresetPageView : public QWidget {
     void add(const PresetChoice& choice);
     void add(const PresetPage& page, const PresetRow& row);
     QWidget* add_explanation(const QString& words);
+    QToolButton* add_reset(const QString& name, const QString& words,
+                           const std::function<void()>& reset);
     void edit(const brush::Preset& preset);
+    void show_all();
 
     struct Shown {
         std::function<bool(brush::ToolKind)> applies;
         std::function<void(bool)> set_visible;
-        std::function<void(const brush::Preset&)> show;
+        std::function<void()> show;
     };
-    brush::Preset preset_;
+    brush::Preset preset_, kept_;
     QGridLayout* grid_;
     std::vector<Shown> shown_;
 };
