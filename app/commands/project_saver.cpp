@@ -14,7 +14,7 @@ ProjectSaver::ProjectSaver(QObject* parent)
               core::ThreadPool pool;
               const std::filesystem::path file = job.path.toStdString();
               project::save_project(file, {std::move(job.painting), job.record.recording()}, pool,
-                                    job.write_protected);
+                                    job.replaced);
               end({job.number, job.path, {}, stamp_of(file)});
           },
           [this](Job& job, const core::Message& fault) {
@@ -31,9 +31,9 @@ QString ProjectSaver::wait() {
 }
 
 std::uint64_t ProjectSaver::save(document::PaintingState painting, document::Recorder record,
-                                 const QString& path, core::WriteProtected write_protected) {
+                                 const QString& path, core::Replaced replaced) {
     wait();
-    worker_.add({std::move(painting), std::move(record), ++count_, path, write_protected});
+    worker_.add({std::move(painting), std::move(record), ++count_, path, replaced});
     return count_;
 }
 

@@ -35,7 +35,7 @@ class ProjectSaver : public QObject {
     /// Returns at once; waits first, as wait() does, if the painting before is still being written. Each
     /// saving has a number of its own.
     std::uint64_t save(document::PaintingState painting, document::Recorder record, const QString& path,
-                       core::WriteProtected = core::WriteProtected::Refused);
+                       core::Replaced = core::Replaced::Writable);
 
     /// Until nothing is being written any more and finished() was told of all. Returns what went wrong
     /// with the last of which it was told here, empty when nothing did.
@@ -51,7 +51,7 @@ class ProjectSaver : public QObject {
         document::Recorder record;
         std::uint64_t number;
         QString path;
-        core::WriteProtected write_protected;
+        core::Replaced replaced;
     };
 
     void end(SaveOutcome outcome);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <string>
@@ -64,15 +65,16 @@ bool is_protected(const Path& target, const struct stat& status) {
            (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0 && errno == EACCES);
 }
 
-void check_replaceable(const Path& path, const Path& target, WriteProtected write_protected) {
+void check_replaceable(const Path& path, const Path& target, Replaced replaced) {
     struct stat status {};
     if (!stands(target, status)) {
         if (errno != ENOENT) refuse_writing(path, words_of(errno));
         return;
     }
+    if (replaced == Replaced::None) refuse_writing(path, words_of(EEXIST));
     if (!S_ISREG(status.st_mode))
         throw InputError("%1: is %2, not a file.", path.string(), kind_of_file(status.st_mode));
-    if (write_protected == WriteProtected::Refused && is_protected(target, status))
+    if (replaced == Replaced::Writable && is_protected(target, status))
         throw InputError("%1: is write-protected; allow writing to it, or choose another name.",
                          path.string());
 }
@@ -101,9 +103,9 @@ Path part_name(const Path& target) {
 
 }  // namespace
 
-OutputFile::OutputFile(Path path, WriteProtected write_protected)
-    : path_(std::move(path)), target_(followed(path_)) {
-    check_replaceable(path_, target_, write_protected);
+OutputFile::OutputFile(Path path, Replaced replaced)
+    : path_(std::move(path)), replaced_(replaced), target_(followed(path_)) {
+    check_replaceable(path_, target_, replaced);
     waiting_.reserve(kMostWaiting);
     create_part();
     take_over_rights();
@@ -170,9 +172,24 @@ void OutputFile::put_in_place() {
     check();
     if (::fsync(file_) != 0) refuse(errno);
     if (::close(std::exchange(file_, -1)) != 0) refuse(errno);
-    if (::rename(part_.c_str(), target_.c_str()) != 0) refuse(errno);
+    if (!take_place()) refuse(errno);
     part_.clear();
     flush_folder();
+}
+
+/// False: it could not, and errno says why. Disks that cannot rename without replacing are left with a
+/// moment between the look and the rename.
+bool OutputFile::take_place() const {
+    if (replaced_ != Replaced::None) return ::rename(part_.c_str(), target_.c_str()) == 0;
+    if (::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0)
+        return true;
+    if (errno != EINVAL && errno != ENOSYS) return false;
+    struct stat status {};
+    if (stands(target_, status)) {
+        errno = EEXIST;
+        return false;
+    }
+    return ::rename(part_.c_str(), target_.c_str()) == 0;
 }
 
 /// Some network drives cannot flush a folder, and some folders cannot be opened: the file stands there
@@ -199,9 +216,8 @@ bool write_aside_unless(const Path& path, const std::function<bool(OutputFile&)>
     return true;
 }
 
-void write_aside(const Path& path, const std::function<void(OutputFile&)>& write,
-                 WriteProtected write_protected) {
-    OutputFile file(path, write_protected);
+void write_aside(const Path& path, const std::function<void(OutputFile&)>& write, Replaced replaced) {
+    OutputFile file(path, replaced);
     write(file);
     file.put_in_place();
 }

@@ -11,18 +11,18 @@
 
 namespace pastoso::core {
 
-/// What happens to a file that nobody may write, or not this user.
-enum class WriteProtected { Refused, Replaced };
+/// Which file may lose its place to the one in the making: one that this user may write, any, or none.
+enum class Replaced { Writable, Any, None };
 
 /// A file in the making. Its bytes go into a part file beside the one that it replaces, which stays as it was until
 /// put_in_place(): readers see the old file or the whole new one, after a power cut too. The new one has the
 /// permissions of the old one, and its owner where the system allows that.
 class OutputFile {
   public:
-    /// Where `path` is a symbolic link, what it leads to is replaced. Throws InputError when the folder does not
-    /// exist or is not writable, when `path` is a folder, a device, a pipe or a socket, and when it is
-    /// write-protected and that is `Refused`.
-    explicit OutputFile(std::filesystem::path path, WriteProtected = WriteProtected::Refused);
+    /// Where `path` is a symbolic link, what it leads to is replaced. Throws InputError when the folder
+    /// does not exist or is not writable, when `path` is a folder, a device, a pipe or a socket, and
+    /// when a file stands there that may not be replaced.
+    explicit OutputFile(std::filesystem::path path, Replaced = Replaced::Writable);
     /// Removes the part file, unless that has been put in place.
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -46,9 +46,10 @@ class OutputFile {
     /// Throws InputError with the system's reason when anything could not be written so far.
     void check() const;
 
-    /// Flushes the part file to the disk, gives it the place of the old file and flushes the folder. Throws
-    /// InputError when any of that fails; the old file is then as it was, unless the folder alone could not be
-    /// flushed.
+    /// Flushes the part file to the disk, gives it the place of the old file and flushes the folder.
+    /// Throws InputError when any of that fails; the old file is then as it was, unless the folder alone
+    /// could not be flushed. Where nothing may be replaced, a file that has come to stand there
+    /// meanwhile stays.
     void put_in_place();
 
   private:
@@ -59,7 +60,10 @@ class OutputFile {
     [[noreturn]] void refuse(int reason) const;
     void flush_folder() const;
 
+    bool take_place() const;
+
     std::filesystem::path path_;
+    Replaced replaced_;
     std::filesystem::path target_;  ///< what is replaced: `path_` with its links followed
     std::filesystem::path part_;
     std::string waiting_;          ///< bytes to be written together, at `waiting_place_`
@@ -74,7 +78,7 @@ bool is_write_protected(const std::filesystem::path& path);
 
 /// Lets `write` fill an OutputFile and puts it in place. If `write` throws, `path` is as it was.
 void write_aside(const std::filesystem::path& path, const std::function<void(OutputFile& file)>& write,
-                 WriteProtected = WriteProtected::Refused);
+                 Replaced = Replaced::Writable);
 
 /// The same, but `write` may give up: where it returns false, `path` is as it was, and false is returned.
 bool write_aside_unless(const std::filesystem::path& path,

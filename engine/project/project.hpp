@@ -31,7 +31,7 @@ struct LoadedProject : Project {
 /// Writes aside, flushes and renames: at any moment `path` is the old file or the whole new one. The
 /// same painting gives the same bytes. Throws InputError when the file cannot be written.
 void save_project(const std::filesystem::path& path, const Project& project, core::ThreadPool& pool,
-                  core::WriteProtected = core::WriteProtected::Refused);
+                  core::Replaced = core::Replaced::Writable);
 
 /// Reads the whole file and checks everything that a painting relies on; what it names is never opened.
 /// Throws InputError "FILE, PLACE: ..." for a file that is damaged, foreign, written by a newer version,

@@ -186,11 +186,11 @@ void write_archive(const Project& project, const Pictures& pictures, core::Threa
 }
 
 void save_project(const std::filesystem::path& path, const Project& project, core::ThreadPool& pool,
-                  core::WriteProtected write_protected) {
+                  core::Replaced replaced) {
     const auto write = [&](core::OutputFile& file) {
         write_archive(project, pictures_of(project.painting, pool), pool, file);
     };
-    core::write_aside(path, write, write_protected);
+    core::write_aside(path, write, replaced);
 }
 
 bool is_project_path(const std::filesystem::path& path) {

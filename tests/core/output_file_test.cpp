@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 using pastoso::core::InputError;
 using pastoso::core::OutputFile;
 using pastoso::core::read_text_file;
+using pastoso::core::Replaced;
 using pastoso::core::write_aside;
 using pastoso::core::write_text_file;
-using pastoso::core::WriteProtected;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
@@ -195,9 +195,36 @@ TEST_F(OutputFileTest, WriteProtectedFilesAreReplacedOnlyWhenThatIsAskedFor) {
     EXPECT_THAT(error_of([&] { write_text_file(file_, "new"); }),
                 HasSubstr(file_.string() + ": is write-protected"));
     EXPECT_EQ(read_text_file(file_), "old");
-    write_aside(file_, [](OutputFile& file) { file.append("new"); }, WriteProtected::Replaced);
+    write_aside(
+        file_, [](OutputFile& file) { file.append("new"); }, Replaced::Any);
     EXPECT_EQ(read_text_file(file_), "new");
     EXPECT_EQ(rights_of(file_), 0444U);
+}
+
+TEST_F(OutputFileTest, WhatMayReplaceNothingLeavesWhatStandsThere) {
+    write_aside(
+        file_, [](OutputFile& file) { file.append("first"); }, Replaced::None);
+    EXPECT_EQ(read_text_file(file_), "first");
+    EXPECT_THAT(error_of([&] {
+                    write_aside(
+                        file_, [](OutputFile& file) { file.append("second"); }, Replaced::None);
+                }),
+                HasSubstr(file_.string() + ": cannot be written (File exists)"));
+    EXPECT_EQ(read_text_file(file_), "first");
+
+    fs::remove(file_);
+    EXPECT_THAT(error_of([&] {
+                    write_aside(
+                        file_,
+                        [this](OutputFile& file) {
+                            file.append("third");
+                            write_text_file(file_, "another program's");
+                        },
+                        Replaced::None);
+                }),
+                HasSubstr("File exists"));
+    EXPECT_EQ(read_text_file(file_), "another program's");
+    EXPECT_THAT(names_in(folder_.path()), UnorderedElementsAre(file_.filename().string()));
 }
 
 TEST_F(OutputFileTest, LinksStayAndWhatTheyLeadToIsReplaced) {

@@ -68,7 +68,7 @@ class ProjectFiles : public QObject {
     /// Writes the painting to a project file, in the background, whatever stands there. As soon as it
     /// is written, that is its file; where it cannot be, the painter is told and the painting keeps the
     /// file that it has.
-    void save_painting(const QString& path, core::WriteProtected = core::WriteProtected::Refused);
+    void save_painting(const QString& path, core::Replaced = core::Replaced::Writable);
 
     /// The same into the painting's own file, or one that the painter names. Asks first where another
     /// program has changed the file, or nobody may write to it. False: the painter thought better of it.

@@ -27,14 +27,14 @@ bool same_file(const QString& a, const QString& b) {
 
 }  // namespace
 
-void ProjectFiles::save_painting(const QString& path, core::WriteProtected write_protected) {
+void ProjectFiles::save_painting(const QString& path, core::Replaced replaced) {
     Q_EMIT about_to_keep();
     saver_.wait();
     session::Capture capture = studio_.session().capture();
     studio_.report(tr("Saving %1...").arg(path));
     Saving saving{.path = path, .changes = capture.changes, .journal_events = capture.journal_events};
     saving.number = saver_.save(std::move(capture.painting), std::move(capture.record), path,
-                                 write_protected);
+                                 replaced);
     saving_ = saving;
 }
 
@@ -91,7 +91,7 @@ bool ProjectFiles::save_to(const QString& path) {
                 break;
         }
     }
-    const auto agreed = objection.isEmpty() ? core::WriteProtected::Refused : core::WriteProtected::Replaced;
+    const auto agreed = objection.isEmpty() ? core::Replaced::Writable : core::Replaced::Any;
     return studio_.attempt(tr("Save"), [&] { save_painting(path, agreed); });
 }
 
