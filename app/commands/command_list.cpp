@@ -37,6 +37,8 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("Save the painting with all its wet paint"), false, true},
     CommandText{Command::SavePaintingAs, kFile, QT_TR_NOOP("Save &as..."), "Ctrl+Shift+S",
                 QT_TR_NOOP("Save the painting in another file")},
+    CommandText{Command::SaveVersion, kFile, QT_TR_NOOP("Save a &version"), "Ctrl+Alt+S",
+                QT_TR_NOOP("Go on in a file of the next number beside this one, which stays as it is")},
     CommandText{Command::SaveCopy, kFile, QT_TR_NOOP("Save a &copy..."), "",
                 QT_TR_NOOP("The layers as pictures for other programs, in OpenRaster or PSD")},
     CommandText{
@@ -57,6 +59,9 @@ constexpr CommandText kCommands[] = {
                 QT_TR_NOOP("A film, or numbered pictures, of how the painting came about")},
     CommandText{Command::PaintAgain, kFile, QT_TR_NOOP("Pa&int it again, finer..."), "Ctrl+Alt+Shift+R",
                 QT_TR_NOOP("All strokes once more, on finer cells, beside the painting on the easel")},
+    CommandText{Command::ClosePainting, kFile, QT_TR_NOOP("Close the pain&ting"), "Ctrl+W",
+                QT_TR_NOOP("Put the painting away; the start page says what there is to go on with"),
+                false, true},
     CommandText{Command::Quit, kFile, QT_TR_NOOP("&Quit"), "Ctrl+Q", QT_TR_NOOP("Close the window"),
                 false, true, Mode::Everywhere},
     CommandText{Command::Undo, kEdit, QT_TR_NOOP("&Undo"), "Ctrl+Z",

@@ -20,6 +20,7 @@ struct OtherKeys {
 /// Where Photoshop has another key for the same command, or needs that of the list for another one.
 constexpr OtherKeys kPhotoshop[] = {
     {Command::SavePaintingAs, "Ctrl+Shift+S; Ctrl+Alt+S"},
+    {Command::SaveVersion, ""},
     {Command::Export, "Ctrl+Alt+Shift+S; Ctrl+Alt+Shift+W"},
     {Command::Undo, "Ctrl+Z; Ctrl+Alt+Z"},
     {Command::Redo, "Ctrl+Shift+Z"},

@@ -77,6 +77,10 @@ void ProjectFiles::ask_to_put_up_unsaved(std::shared_ptr<const project::Project>
     if (may_discard()) put_up_unsaved(std::move(project), then);
 }
 
+void ProjectFiles::ask_to_close(const Then& then) {
+    if (may_discard()) new_canvas(studio_.session().canvas(), then);
+}
+
 void ProjectFiles::ask_to_open(const QString& path) {
     if (may_discard()) open_painting(path);
 }

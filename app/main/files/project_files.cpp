@@ -64,6 +64,7 @@ ProjectFiles::ProjectFiles(Studio& studio, Loading& loading, bool keeps_journal)
     studio_.commands().on(Command::OpenPainting, [this](bool) { ask_open_painting(); });
     studio_.commands().on(Command::SavePainting, [this](bool) { save(); });
     studio_.commands().on(Command::SavePaintingAs, [this](bool) { ask_save_painting(); });
+    studio_.commands().on(Command::SaveVersion, [this](bool) { save_version(); });
     recent_ = new QMenu(tr("Open re&cent"), &studio_.window());
     connect(recent_, &QMenu::aboutToShow, this, &ProjectFiles::fill_recent);
     QAction* next = studio_.commands().action(Command::SavePainting);

@@ -74,6 +74,10 @@ class ProjectFiles : public QObject {
     /// program has changed the file, or nobody may write to it. False: the painter thought better of it.
     bool save();
 
+    /// Into a file of the next number beside its own, which is its file from then on; no file is
+    /// replaced. A painting without a file is given one by the painter.
+    void save_version();
+
     /// Into its file, where it has one and has changed. Where save() would ask, tells the painter.
     void save_by_itself();
 
@@ -90,6 +94,8 @@ class ProjectFiles : public QObject {
     /// needs to be saved until the painter goes on with it.
     void ask_to_watch(const std::filesystem::path& recording);
     void ask_new_canvas();
+    /// A bare canvas of the same kind takes its place; `then` something more.
+    void ask_to_close(const Then& then);
     void ask_open_painting();
 
     /// Whether the painting on the easel has been worked on, or stands in a file.

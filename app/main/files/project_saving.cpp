@@ -1,5 +1,6 @@
 // The part of ProjectFiles that saves, and asks first where something would be lost by it.
 
+#include "commands/painting_version.hpp"
 #include "commands/recent_paintings.hpp"
 #include "dialogs/replace_question.hpp"
 #include "main/files/project_files.hpp"
@@ -33,8 +34,7 @@ void ProjectFiles::save_painting(const QString& path, core::Replaced replaced) {
     session::Capture capture = studio_.session().capture();
     studio_.report(tr("Saving %1...").arg(path));
     Saving saving{.path = path, .changes = capture.changes, .journal_events = capture.journal_events};
-    saving.number = saver_.save(std::move(capture.painting), std::move(capture.record), path,
-                                 replaced);
+    saving.number = saver_.save(std::move(capture.painting), std::move(capture.record), path, replaced);
     saving_ = saving;
 }
 
@@ -98,6 +98,19 @@ bool ProjectFiles::save_to(const QString& path) {
 bool ProjectFiles::save() {
     const QString file = saving_ ? saving_->path : path_;
     return file.isEmpty() ? ask_save_painting() : save_to(file);
+}
+
+/// A file that has come to have that name meanwhile stays.
+void ProjectFiles::save_version() {
+    saver_.wait();
+    if (path_.isEmpty()) {
+        ask_save_painting();
+        return;
+    }
+    studio_.attempt(tr("Save a version"), [this] {
+        const std::filesystem::path next = commands::next_version(path_.toStdString());
+        save_painting(QString::fromStdString(next.string()), core::Replaced::None);
+    });
 }
 
 bool ProjectFiles::ask_save_painting() {

@@ -20,6 +20,8 @@ using commands::Command;
 StartCommands::StartCommands(Studio& studio, ProjectFiles& files, const MessagePlace& messages)
     : studio_(studio), files_(files), messages_(messages) {
     studio_.commands().on(Command::StartPage, [this](bool) { show_page(); });
+    studio_.commands().on(Command::ClosePainting,
+                          [this](bool) { files_.ask_to_close([this] { show_page(); }); });
     studio_.commands().on(Command::CanvasOnly, [this](bool) { dismiss(); });
     for (const Command liquid : {Command::MilkTea, Command::GlassTank})
         studio_.commands().on(liquid, [this](bool) { dismiss(); });
