@@ -31,6 +31,8 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
             &ProjectFiles::save_by_itself);
     connect(&parts.place, &CanvasPlace::taking, &parts.view, &ViewCommands::leave_canvas_only);
     connect(&parts.place, &CanvasPlace::taken_by, &parts.files, &ProjectFiles::show_place);
+    connect(&parts.workspaces, &WorkspaceCommands::arranging, &parts.view,
+            &ViewCommands::leave_canvas_only);
     connect(&parts.tea, &TeaMode::other_wanted, &parts.tank, &TankMode::choose);
     connect(&parts.tank, &TankMode::tea_wanted, &parts.tea, &TeaMode::enter);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.physics, &panels::MediumPanel::finish);
@@ -40,7 +42,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     parts.files.start(first_canvas_->take());
     first_canvas_.reset();
     parts.brushes.read();
-    parts.memory.recall();
+    parts.workspaces.recall(parts.memory.recall());
     parts.paints.recall();
     parts.keys.recall();
     parts.preferences.recall(preferences);

@@ -1,7 +1,9 @@
-// The panels that stand beside the canvas, each in a dock of its own.
+// The panels that stand around the canvas, each in a dock of its own.
 
+#include "main/dock_arrangement.hpp"
 #include "main/panel_set.hpp"
 #include "main/studio.hpp"
+#include "panels/canvas/easel_panel.hpp"
 #include "panels/canvas/light_panel.hpp"
 #include "panels/canvas/navigator_panel.hpp"
 #include "panels/colour/colour_panel.hpp"
@@ -12,9 +14,12 @@
 #include "panels/messages/message_panel.hpp"
 #include "panels/paint/load_panel.hpp"
 #include "panels/paint/medium_panel.hpp"
+#include "panels/paint/paint_panel.hpp"
 #include "panels/parts/section.hpp"
+#include "panels/pen/brush_panel.hpp"
 #include "panels/pen/curves_panel.hpp"
 #include "panels/pen/guides_panel.hpp"
+#include "tools/workspaces.hpp"
 
 #include <initializer_list>
 #include <utility>
@@ -129,9 +134,18 @@ QWidget* first_control(const QWidget* content) {
     return nullptr;
 }
 
+/// One that has room enough does not take that of others.
+QWidget* kept_low(QWidget* panel) {
+    auto* low = new QWidget;
+    auto* column = new QVBoxLayout(low);
+    column->addWidget(panel);
+    column->addStretch(1);
+    return low;
+}
+
 QDockWidget* add_dock(Studio& studio, PanelSet& panels, const Dock& added) {
     QWidget* content = added.content;
-    content->layout()->setContentsMargins(10, 8, 10, 8);
+    content->layout()->setContentsMargins(10, 4, 10, 4);
     auto* dock =
         new QDockWidget(QCoreApplication::translate("pastoso::main", added.title), &studio.window());
     dock->setObjectName(QString::fromLatin1(added.name));
@@ -146,48 +160,31 @@ QDockWidget* add_dock(Studio& studio, PanelSet& panels, const Dock& added) {
     return dock;
 }
 
-/// In one place, the first on top.
-QDockWidget* add_tabs(Studio& studio, PanelSet& panels, std::initializer_list<Dock> docks) {
-    QDockWidget* first = nullptr;
-    for (const Dock& added : docks) {
-        QDockWidget* dock = add_dock(studio, panels, added);
-        if (first != nullptr) studio.window().tabifyDockWidget(first, dock);
-        if (first == nullptr) first = dock;
-    }
-    return first;
-}
-
 }  // namespace
 
 void add_docks(Studio& studio, PanelSet& panels) {
     make_panels(studio, panels);
     QMainWindow& window = studio.window();
-    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    QDockWidget* first = add_tabs(
-        studio, panels,
-        {{Command::ToolPanel, "tool_panel", QT_TR_NOOP("Tool"), make_tool_panel(studio, panels)},
-         {Command::ColourPanel, "colour_panel", QT_TR_NOOP("Colour"), panels.colours},
-         {Command::PhysicsPanel, "physics_panel", QT_TR_NOOP("Physics"), panels.physics},
-         {Command::GuidesPanel, "guides_panel", QT_TR_NOOP("Guides"), panels.guides},
-         {Command::LightPanel, "light_panel", QT_TR_NOOP("Lights"), panels.lights}});
-    QDockWidget* layers = add_tabs(
-        studio, panels,
-        {{Command::LayersPanel, "layers_panel", QT_TR_NOOP("Layers"), panels.layers},
-         {Command::TracingPanel, "tracing_panel", QT_TR_NOOP("Tracing"), panels.tracing},
-         {Command::HistoryPanel, "history_panel", QT_TR_NOOP("History"), panels.history},
-         {Command::NavigatorPanel, "navigator_panel", QT_TR_NOOP("Navigator"), panels.navigator},
-         {Command::RecorderPanel, "recorder_panel", QT_TR_NOOP("Recorder"), panels.recorder},
-         {Command::MessagesPanel, "messages_panel", QT_TR_NOOP("Messages"), panels.messages}});
-    layers->raise();
-    first->raise();
-    // Opened when they are needed: so many names would not fit beside one another.
-    for (const Command rare :
-         {Command::GuidesPanel, Command::TracingPanel, Command::RecorderPanel, Command::MessagesPanel})
-        panels.docks.at(rare)->hide();
-    // As narrow as what they hold allows: the canvas gets the rest.
-    window.resizeDocks({first}, {1}, Qt::Horizontal);
-    // The tool, its colour and its paint need more than a few layers do.
-    window.resizeDocks({first, layers}, {5, 3}, Qt::Vertical);
+    for (const Qt::DockWidgetArea side : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
+        window.setTabPosition(side, QTabWidget::North);
+    for (const Dock& dock : std::initializer_list<Dock>{
+             {Command::BrushesPanel, "brushes_panel", QT_TR_NOOP("Brushes"), panels.brushes},
+             {Command::PaintsPanel, "paints_panel", QT_TR_NOOP("Paints"), panels.paints},
+             {Command::EaselPanel, "easel_panel", QT_TR_NOOP("Easel"), kept_low(panels.stand)},
+             {Command::ToolPanel, "tool_panel", QT_TR_NOOP("Tool"), make_tool_panel(studio, panels)},
+             {Command::ColourPanel, "colour_panel", QT_TR_NOOP("Colour"), panels.colours},
+             {Command::PhysicsPanel, "physics_panel", QT_TR_NOOP("Physics"), panels.physics},
+             {Command::GuidesPanel, "guides_panel", QT_TR_NOOP("Guides"), panels.guides},
+             {Command::LightPanel, "light_panel", QT_TR_NOOP("Lights"), panels.lights},
+             {Command::LayersPanel, "layers_panel", QT_TR_NOOP("Layers"), panels.layers},
+             {Command::TracingPanel, "tracing_panel", QT_TR_NOOP("Tracing"), panels.tracing},
+             {Command::HistoryPanel, "history_panel", QT_TR_NOOP("History"), panels.history},
+             {Command::NavigatorPanel, "navigator_panel", QT_TR_NOOP("Navigator"), panels.navigator},
+             {Command::RecorderPanel, "recorder_panel", QT_TR_NOOP("Recorder"), panels.recorder},
+             {Command::MessagesPanel, "messages_panel", QT_TR_NOOP("Messages"), panels.messages}})
+        add_dock(studio, panels, dock);
+    // So many names would not fit beside one another: the others are opened when they are needed.
+    arrange_docks(window, tools::arrangement_of(tools::Workspace::Oil), tools::panels_at_home());
 }
 
 }  // namespace pastoso::main

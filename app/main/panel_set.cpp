@@ -24,7 +24,6 @@
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QScreen>
-#include <QScrollArea>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -32,7 +31,7 @@
 namespace pastoso::main {
 namespace {
 
-constexpr int kPanelWidth = 252, kToolIconSide = 20;
+constexpr int kToolIconSide = 20;
 
 /// The box in its order, then the other tubes, the painter's own, and the medium.
 std::vector<panels::PaintEntry> paint_entries() {
@@ -72,12 +71,13 @@ QComboBox* make_time_box() {
     return box;
 }
 
-void make_tool_bar(Studio& studio, const PanelSet& panels) {
+panels::ToolBar* make_tool_bar(Studio& studio, const PanelSet& panels) {
     using commands::Command;
     auto* bar = new panels::ToolBar(QObject::tr("Tools"));
     studio.window().addToolBar(bar);
     bar->setObjectName(QStringLiteral("tool_bar"));
-    bar->setMovable(false);
+    // Its boxes lie on their sides.
+    bar->setAllowedAreas(Qt::TopToolBarArea | Qt::BottomToolBarArea);
     bar->setIconSize(QSize(kToolIconSide, kToolIconSide));
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     const auto add_button = [&](Command command, const QString& words) {
@@ -108,6 +108,7 @@ void make_tool_bar(Studio& studio, const PanelSet& panels) {
     bar->say({each, turns});
     bar->say({dry, well});
     bar->say(medium);
+    return bar;
 }
 
 /// Its tools and their thumbnails come later.
@@ -126,23 +127,12 @@ panels::BrushPanel* make_brush_panel(const commands::CommandRegistry& commands) 
     return new panels::BrushPanel(own_actions);
 }
 
-void add_middle(Studio& studio, const PanelSet& panels) {
-    auto* side = new QWidget;
-    auto* column = new QVBoxLayout(side);
-    column->setContentsMargins(10, 8, 10, 8);
-    column->setSpacing(12);
-    // Tools have more controls beside their list than paints have.
-    column->addWidget(panels.brushes, 3);
-    column->addWidget(panels.paints, 2);
-    column->addWidget(panels.stand);
-    QScrollArea* scrolled = panels::scrolled(side);
-    scrolled->setFixedWidth(kPanelWidth);
-
+/// The canvas, and what comes to stand in its place.
+void add_middle(Studio& studio) {
     auto* middle = new QWidget;
     auto* row = new QHBoxLayout(middle);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    row->addWidget(scrolled);
     row->addWidget(&studio.canvas(), 1);
     studio.window().setCentralWidget(middle);
 }
@@ -180,11 +170,11 @@ PanelSet lay_out(Studio& studio) {
     panels.medium = make_medium_box();
     panels.thinning = new panels::ThinningSlider(Qt::Horizontal);
     panels.time = make_time_box();
-    make_tool_bar(studio, panels);
+    panels.bar = make_tool_bar(studio, panels);
     panels.brushes = make_brush_panel(studio.commands());
     panels.paints = new panels::PaintPanel(paint_entries());
     panels.stand = new panels::EaselPanel;
-    add_middle(studio, panels);
+    add_middle(studio);
     panels.well = add_well(studio);
     add_docks(studio, panels);
     panels.readings = new panels::StatusReadings;

@@ -1,5 +1,5 @@
-// The panels around the canvas, put where they stand at first: tool bar above, tools on the left, the
-// canvas in the rest, docks beside it.
+// The panels around the canvas, put where they stand at first: tool bar above, docks on both sides, the
+// canvas in the rest.
 #pragma once
 
 #include "commands/command_list.hpp"
@@ -27,6 +27,7 @@ class PaintPanel;
 class RecorderPanel;
 class StatusReadings;
 class ThinningSlider;
+class ToolBar;
 class TracingPanel;
 }  // namespace pastoso::panels
 
@@ -36,6 +37,7 @@ class Studio;
 
 /// The window owns them all.
 struct PanelSet {
+    panels::ToolBar* bar = nullptr;
     panels::BrushPanel* brushes = nullptr;
     panels::PaintPanel* paints = nullptr;
     panels::EaselPanel* stand = nullptr;
@@ -62,7 +64,7 @@ struct PanelSet {
 /// Builds menus, tool bar and panels of the studio's window, and puts its views among them.
 PanelSet lay_out(Studio& studio);
 
-/// The part of it that stands in docks on the right.
+/// The part of it that stands in docks.
 void add_docks(Studio& studio, PanelSet& panels);
 
 }  // namespace pastoso::main

@@ -42,6 +42,8 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       again(studio, files, light),
       paints(studio, panels.colours),
       memory(studio, panels, light, undo, well, start, brush_editing),
+      workspaces(studio, panels),
+      new_window(studio),
       keys(studio, panels),
       colours(studio),
       preferences(studio, undo, colours),

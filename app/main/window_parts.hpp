@@ -46,8 +46,10 @@
 #include "main/program/colour_commands.hpp"
 #include "main/program/help_commands.hpp"
 #include "main/program/key_commands.hpp"
+#include "main/program/new_window.hpp"
 #include "main/program/preference_commands.hpp"
 #include "main/program/window_settings.hpp"
+#include "main/program/workspace_commands.hpp"
 
 namespace pastoso::main {
 
@@ -94,6 +96,8 @@ struct WindowParts {
     PaintingAgain again;
     PaintSettings paints;
     WindowSettings memory;
+    WorkspaceCommands workspaces;
+    NewWindow new_window;
     KeyCommands keys;
     ColourCommands colours;
     PreferenceCommands preferences;

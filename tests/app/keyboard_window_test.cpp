@@ -320,7 +320,9 @@ TEST_F(Keyboard, TypesTheTiltAndTheLight) {
 
 TEST_F(Keyboard, TheTiltsKnobIsWhereItIsDragged) {
     auto* dial = window().findChild<panels::TiltDial*>();
-    const QPoint to(dial->width() / 2 - 30, dial->height() / 2 + 12);
+    const int side = std::min(dial->width(), dial->height());
+    const QPoint to = dial->rect().center() + QPoint(-side / 3, side / 8);
+    const QPointF way = to - QRectF(dial->rect()).center();
     QTest::mousePress(dial, Qt::LeftButton, {}, dial->rect().center());
     QTest::mouseMove(dial, to);
     QTest::mouseRelease(dial, Qt::LeftButton, {}, to);
@@ -332,7 +334,7 @@ TEST_F(Keyboard, TheTiltsKnobIsWhereItIsDragged) {
         for (int x = -8; x <= 8; ++x)
             EXPECT_LT(shown.pixelColor(opposite + QPoint(x, y)).lightness(), 150);
     const double down_deg = studio().easel().hand().tilt.direction_deg;
-    EXPECT_NEAR(down_deg, core::degrees(std::atan2(12.0, -30.0)), 3.0);
+    EXPECT_NEAR(down_deg, core::degrees(std::atan2(way.y(), way.x())), 3.0);
 }
 
 // ---- dialogs

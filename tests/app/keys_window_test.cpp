@@ -122,9 +122,9 @@ TEST_F(KeysWindow, KeysAreExchangedAndTakenAway) {
         auto* listening = qobject_cast<dialogs::KeyCatcher*>(dialog_->focusWidget());
         ASSERT_NE(listening, nullptr);
         ASSERT_TRUE(listening->listening());
-        QTest::keyClick(listening, Qt::Key_F11);
+        QTest::keyClick(listening, Qt::Key_F12);
     });
-    EXPECT_EQ(keys_of(Command::Redo), "F11");
+    EXPECT_EQ(keys_of(Command::Redo), "F12");
 }
 
 TEST_F(KeysWindow, EscapeCatchesNothingAndKeysOfTheCanvasAreRefused) {
@@ -203,7 +203,7 @@ TEST_F(KeysWindow, WhatALaterVersionKeptThereStays) {
     open_another();
     in_dialog([&] {
         find("dry now");
-        add_key(Qt::Key_F11);
+        add_key(Qt::Key_F13);
     });
     EXPECT_THAT(core::read_text_file(file()), HasSubstr("paint_the_ceiling"));
     EXPECT_THAT(core::read_text_file(file()), HasSubstr("dry_now"));

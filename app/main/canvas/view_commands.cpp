@@ -35,6 +35,7 @@ ViewCommands::ViewCommands(Studio& studio, panels::StatusReadings* readings)
     connect_zooming();
     connect_turning();
     connect_canvas_only();
+    connect_full_screen();
     connect_looks();
     connect(&canvas_, &view::CanvasView::view_changed, this, &ViewCommands::show_view);
     connect(&canvas_, &view::CanvasView::pointer_moved, this,
@@ -70,8 +71,21 @@ void ViewCommands::connect_canvas_only() {
     connect(&canvas_, &view::CanvasView::escaped, this, &ViewCommands::escape);
 }
 
+/// The desktop may take the window out of it, too.
+void ViewCommands::connect_full_screen() {
+    QMainWindow& window = studio_.window();
+    studio_.commands().on(Command::FullScreen, [&window](bool full) {
+        window.setWindowState(window.windowState().setFlag(Qt::WindowFullScreen, full));
+    });
+}
+
+void ViewCommands::show_full_screen() {
+    studio_.commands().action(Command::FullScreen)->setChecked(studio_.window().isFullScreen());
+}
+
 /// Escape that nothing in the panels wanted gives the keyboard back to the canvas.
 bool ViewCommands::eventFilter(QObject* window, QEvent* event) {
+    if (event->type() == QEvent::WindowStateChange) show_full_screen();
     const bool escapes = event->type() == QEvent::KeyPress &&
                          static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && !canvas_.hasFocus();
     if (escapes) canvas_.setFocus(Qt::OtherFocusReason);

@@ -28,10 +28,12 @@ class ViewCommands : public QObject {
     void connect_zooming();
     void connect_turning();
     void connect_canvas_only();
+    void connect_full_screen();
     void connect_looks();
     void escape();
     void show_look(screen::Look look);
     void show_only_canvas(bool only);
+    void show_full_screen();
     void show_view();
 
     Studio& studio_;

@@ -20,7 +20,7 @@ PaintSettings::PaintSettings(Studio& studio, panels::ColourPanel* colours)
     : studio_(studio), colours_(colours), file_(studio, core::user_data_path("paints.json")) {
     changed_.setSingleShot(true);
     changed_.setInterval(kSettling_ms);
-    connect(&changed_, &QTimer::timeout, this, &PaintSettings::remember);
+    connect(&changed_, &QTimer::timeout, this, &PaintSettings::write);
     connect(colours_, &panels::ColourPanel::refused, &studio_, &Studio::report);
     connect(colours_, &panels::ColourPanel::palette_wanted, this, &PaintSettings::ask_palette);
 }
@@ -31,6 +31,10 @@ void PaintSettings::recall() {
 }
 
 void PaintSettings::remember() {
+    if (changed_.isActive()) write();
+}
+
+void PaintSettings::write() {
     changed_.stop();
     file_.remember([this](const auto& file) { tools::write_shelf(colours_->shelf(), file); });
 }

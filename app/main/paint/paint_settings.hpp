@@ -20,12 +20,14 @@ class PaintSettings : public QObject {
 
     /// A file that cannot be read is told, and left as it is.
     void recall();
+    /// What has changed since: another window may have kept other paints meanwhile.
     void remember();
 
     /// Shows the colours of a .gpl file to choose from. What is none is told.
     void open_palette(const QString& path);
 
   private:
+    void write();
     void ask_palette();
 
     Studio& studio_;

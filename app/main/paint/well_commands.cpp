@@ -16,6 +16,7 @@ WellCommands::WellCommands(Studio& studio, QDockWidget* dock) : studio_(studio),
     connect(dock_, &QDockWidget::visibilityChanged, this,
             [this] { studio_.commands().action(Command::MixingWell)->setChecked(!dock_->isHidden()); });
     studio_.commands().on(Command::MixingWell, [this](bool opened) { open(opened); });
+    studio_.commands().on(Command::ResetPanels, [this](bool) { sized_ = false; });
     studio_.commands().on(Command::SqueezePaint, [this](bool) { squeeze(); });
     studio_.commands().on(Command::CleanWell, [this](bool) { studio_.easel().clean_well(); });
     connect(&studio_, &Studio::published, this, [this](const auto& painting) { show(*painting); });

@@ -13,14 +13,13 @@
 
 #include <cstddef>
 
-#include <QDockWidget>
 #include <QMainWindow>
 
 namespace pastoso::main {
 namespace {
 
 /// Of the panels' names: what was remembered of others is not used.
-constexpr int kPanelsVersion = 3;
+constexpr int kPanelsVersion = 4;
 
 QByteArray from_text(const std::string& text) {
     return QByteArray::fromBase64(QByteArray::fromStdString(text));
@@ -59,13 +58,10 @@ WindowSettings::WindowSettings(Studio& studio, const PanelSet& panels, LightChoi
       well_(well),
       start_(start),
       brush_editing_(brush_editing),
-      file_(studio, core::user_config_path("settings.json")) {
-    studio_.commands().on(commands::Command::ResetPanels, [this](bool) { reset_panels(); });
-}
+      file_(studio, core::user_config_path("settings.json")) {}
 
-void WindowSettings::recall() {
+bool WindowSettings::recall() {
     QMainWindow& window = studio_.window();
-    first_panels_ = window.saveState(kPanelsVersion);
     tools::Settings settings;
     file_.recall([&settings](const auto& file) { settings = tools::read_settings(file); });
     start_.set_shown_at_start(settings.show_start_page);
@@ -84,7 +80,9 @@ void WindowSettings::recall() {
     panels_.physics->open_numbers(settings.medium_numbers_open);
     brush_editing_.set_page(settings.brush_editor_page);
     window.restoreGeometry(from_text(settings.window_place));
-    well_.set_sized(window.restoreState(from_text(settings.panels), kPanelsVersion));
+    const bool panels_stand = window.restoreState(from_text(settings.panels), kPanelsVersion);
+    well_.set_sized(panels_stand);
+    return panels_stand;
 }
 
 void WindowSettings::remember() {
@@ -105,14 +103,6 @@ void WindowSettings::remember() {
     settings.window_place = to_text(studio_.window().saveGeometry());
     settings.panels = to_text(studio_.window().saveState(kPanelsVersion));
     file_.remember([&settings](const auto& file) { tools::write_settings(settings, file); });
-}
-
-void WindowSettings::reset_panels() {
-    studio_.window().restoreState(first_panels_, kPanelsVersion);
-    well_.set_sized(false);
-    QDockWidget* first = panels_.docks.at(commands::Command::ToolPanel);
-    first->raise();
-    studio_.window().resizeDocks({first}, {1}, Qt::Horizontal);
 }
 
 }  // namespace pastoso::main

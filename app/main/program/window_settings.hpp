@@ -5,7 +5,6 @@
 #include "main/program/remembered_file.hpp"
 #include "main/studio.hpp"
 
-#include <QByteArray>
 #include <QObject>
 
 namespace pastoso::main {
@@ -22,13 +21,12 @@ class WindowSettings : public QObject {
     WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light, UndoCommands& undo,
                    WellCommands& well, StartCommands& start, BrushEditing& brush_editing);
 
-    /// A file that cannot be read is told, and left as it is.
-    void recall();
+    /// Whether the panels stand as they were left; otherwise as before. A file that cannot be read is
+    /// told, and left as it is.
+    bool recall();
     void remember();
 
   private:
-    void reset_panels();
-
     Studio& studio_;
     const PanelSet& panels_;
     LightChoice& light_;
@@ -36,7 +34,6 @@ class WindowSettings : public QObject {
     WellCommands& well_;
     StartCommands& start_;
     BrushEditing& brush_editing_;
-    QByteArray first_panels_;  ///< how the panels stand unless the painter moves them
     RememberedFile file_;
 };
 

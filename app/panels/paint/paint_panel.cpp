@@ -83,7 +83,8 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     connect(list_, &ChoiceList::taken, this, [this](const QListWidgetItem* item) {
         Q_EMIT paint_chosen(item->data(Qt::UserRole).toString());
     });
-    section(this, tr("Paint"))->addWidget(list_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(list_, 1);
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
             &PaintPanel::draw_icons);
 }

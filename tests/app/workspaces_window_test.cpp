@@ -1,0 +1,264 @@
+// The panels around the canvas: closed and back, moved, in workspaces, for left hands, over restarts.
+#include "app/window_fixture.hpp"
+#include "core/text_file.hpp"
+#include "main/dock_arrangement.hpp"
+#include "main/program/language.hpp"
+#include "main/window_parts.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using testing::HasSubstr;
+using tools::PanelArrangement;
+using tools::Side;
+using tools::Workspace;
+
+constexpr std::pair<Command, Workspace> kShipped[] = {{Command::WorkspaceSketch, Workspace::Sketch},
+                                                      {Command::WorkspaceOil, Workspace::Oil},
+                                                      {Command::WorkspaceMixing, Workspace::Mixing},
+                                                      {Command::WorkspaceExport, Workspace::Export}};
+
+/// Lengths and breadths are the window's affair.
+std::string places(const PanelArrangement& panels) {
+    std::string text;
+    for (const Side side : tools::kSides)
+        for (const tools::PanelTabs& tabs : panels.at(side).tabs) {
+            text += "lrtb"[static_cast<std::size_t>(side)];
+            text += ":";
+            for (std::size_t i = 0; i < tabs.panels.size(); ++i)
+                text += (i == tabs.raised ? " *" : " ") + tabs.panels[i];
+            text += "\n";
+        }
+    for (const tools::FloatingPanel& floating : panels.floating)
+        text += "floating: " + floating.panel + "\n";
+    return text;
+}
+
+class WorkspacesWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (!HasFatalFailure()) action(Command::Pause)->trigger();
+    }
+    void TearDown() override {
+        main::speak(QStringLiteral("en"));
+        WindowTest::TearDown();
+    }
+    void give(Command command) {
+        action(command)->trigger();
+        QApplication::processEvents();
+    }
+    PanelArrangement stand() { return main::read_docks(window()); }
+    QDockWidget& dock(const char* name) {
+        return *window().findChild<QDockWidget*>(QString::fromLatin1(name));
+    }
+    main::WorkspaceCommands& workspaces() { return parts().workspaces; }
+    QStringList menu_words() {
+        QStringList words;
+        for (const QAction* title : window().menuBar()->actions()) {
+            if (!title->menu()->actions().contains(action(Command::SaveWorkspace))) continue;
+            Q_EMIT title->menu()->aboutToShow();
+            for (const QAction* one : title->menu()->actions())
+                if (one->isVisible()) words.push_back(one->text());
+        }
+        return words;
+    }
+};
+
+TEST_F(WorkspacesWindow, StandAsTheProgramSaysAndAreReadAsTheyStand) {
+    EXPECT_EQ(places(stand()), places(tools::arrangement_of(Workspace::Oil))) << "at the first start";
+    for (const auto& [command, workspace] : kShipped) {
+        give(command);
+        EXPECT_EQ(places(stand()), places(tools::arrangement_of(workspace)));
+        EXPECT_TRUE(action(command)->isChecked());
+        EXPECT_GT(canvas().width(), 300);
+    }
+    EXPECT_FALSE(action(Command::WorkspaceOil)->isChecked());
+}
+
+TEST_F(WorkspacesWindow, AClosedPanelComesBackWhereItStood) {
+    for (const char* name : {"brushes_panel", "easel_panel", "colour_panel", "history_panel"}) {
+        SCOPED_TRACE(name);
+        const std::string before = places(stand());
+        dock(name).close();
+        QApplication::processEvents();
+        EXPECT_THAT(places(stand()), testing::Not(HasSubstr(name)));
+        dock(name).show();
+        QApplication::processEvents();
+        dock("tool_panel").raise();
+        dock("layers_panel").raise();
+        EXPECT_EQ(places(stand()), before);
+    }
+}
+
+TEST_F(WorkspacesWindow, APanelThatAWorkspaceHasNotComesByItsCommand) {
+    give(Command::WorkspaceSketch);
+    for (const auto& [command, name] : {std::pair{Command::EaselPanel, "easel_panel"},
+                                        {Command::ColourPanel, "colour_panel"},
+                                        {Command::MessagesPanel, "messages_panel"}}) {
+        give(command);
+        EXPECT_TRUE(dock(name).isVisible()) << name;
+    }
+    EXPECT_EQ(window().dockWidgetArea(&dock("easel_panel")), Qt::LeftDockWidgetArea);
+    EXPECT_EQ(window().dockWidgetArea(&dock("colour_panel")), Qt::RightDockWidgetArea);
+}
+
+TEST_F(WorkspacesWindow, LeftHandedIsTheMirrorOfEveryWorkspace) {
+    give(Command::LeftHanded);
+    EXPECT_EQ(places(stand()), places(tools::mirrored(tools::arrangement_of(Workspace::Oil))));
+    for (const auto& [command, workspace] : kShipped) {
+        give(command);
+        EXPECT_EQ(places(stand()), places(tools::mirrored(tools::arrangement_of(workspace))));
+    }
+    give(Command::WorkspaceOil);
+    give(Command::LeftHanded);
+    EXPECT_EQ(places(stand()), places(tools::arrangement_of(Workspace::Oil)));
+}
+
+TEST_F(WorkspacesWindow, WhatThePainterMovedIsMirroredAsItStands) {
+    window().addDockWidget(Qt::LeftDockWidgetArea, &dock("layers_panel"));
+    dock("history_panel").close();
+    dock("navigator_panel").setFloating(true);
+    window().addDockWidget(Qt::BottomDockWidgetArea, &dock("paints_panel"));
+    QApplication::processEvents();
+    const PanelArrangement before = stand();
+    EXPECT_THAT(places(before), HasSubstr("floating: navigator_panel"));
+    give(Command::LeftHanded);
+    EXPECT_EQ(places(stand()), places(tools::mirrored(before)));
+    give(Command::LeftHanded);
+    EXPECT_EQ(places(stand()), places(before));
+}
+
+TEST_F(WorkspacesWindow, OwnOnesStandInTheMenuAndComeBackAsSaved) {
+    dock("easel_panel").close();
+    QApplication::processEvents();
+    const std::string mine = places(stand());
+    workspaces().save(QStringLiteral(" Sea & sky "));
+    EXPECT_TRUE(menu_words().contains(QStringLiteral("Sea && sky")));
+    EXPECT_TRUE(action(Command::RenameWorkspace)->isEnabled());
+    give(Command::WorkspaceExport);
+    EXPECT_FALSE(action(Command::RenameWorkspace)->isEnabled());
+    workspaces().use("Sea & sky");
+    EXPECT_EQ(places(stand()), mine);
+
+    workspaces().rename_in_use(QStringLiteral("Sea"));
+    EXPECT_FALSE(menu_words().contains(QStringLiteral("Sea && sky")));
+    give(Command::LeftHanded);
+    workspaces().save(QStringLiteral("Other"));
+    workspaces().rename_in_use(QStringLiteral("Sea"));
+    EXPECT_THAT(told(), HasSubstr("already"));
+    const auto& own = workspaces().workspaces().own;
+    EXPECT_EQ(places(own[1].panels), places(own[0].panels)) << "kept as for right hands";
+    give(Command::RemoveWorkspace);
+    EXPECT_EQ(workspaces().workspaces().own.size(), 1U);
+    EXPECT_FALSE(menu_words().contains(QStringLiteral("Other")));
+    give(Command::MilkTea);
+    EXPECT_FALSE(menu_words().contains(QStringLiteral("Sea")));
+}
+
+TEST_F(WorkspacesWindow, NamesOfTheProgramAreNotGiven) {
+    workspaces().save(QStringLiteral("oil"));
+    EXPECT_THAT(told(), HasSubstr("comes with the program"));
+    workspaces().save(QStringLiteral("  "));
+    EXPECT_TRUE(workspaces().workspaces().own.empty());
+}
+
+TEST_F(WorkspacesWindow, AreAsTheyWereAtTheNextStart) {
+    give(Command::LeftHanded);
+    give(Command::WorkspaceMixing);
+    workspaces().save(QStringLiteral("Mine"));
+    dock("paints_panel").close();
+    QApplication::processEvents();
+    const std::string before = places(stand());
+    start_again();
+    EXPECT_EQ(places(stand()), before);
+    EXPECT_TRUE(action(Command::LeftHanded)->isChecked());
+    EXPECT_EQ(workspaces().workspaces().in_use, "Mine");
+    give(Command::ResetPanels);
+    EXPECT_EQ(places(stand()), places(tools::mirrored(tools::arrangement_of(Workspace::Oil))));
+}
+
+TEST_F(WorkspacesWindow, WithoutWhatIsRememberedOfPanelsTheOneInUseIsPutUp) {
+    give(Command::LeftHanded);
+    give(Command::WorkspaceExport);
+    window().close();
+    std::filesystem::remove(settings_file());
+    open_another();
+    EXPECT_EQ(places(stand()), places(tools::mirrored(tools::arrangement_of(Workspace::Export))));
+}
+
+TEST_F(WorkspacesWindow, AFileThatCannotBeReadIsToldAndLeft) {
+    const std::filesystem::path file = settings_file().parent_path() / "workspaces.json";
+    window().close();
+    core::write_text_file(file, "{\"version\": 1}");
+    open_another();
+    EXPECT_THAT(told(), HasSubstr("workspaces.json"));
+    give(Command::WorkspaceSketch);
+    EXPECT_EQ(core::read_text_file(file), "{\"version\": 1}");
+}
+
+TEST_F(WorkspacesWindow, FromCanvasOnlyAllIsThere) {
+    give(Command::CanvasOnly);
+    EXPECT_FALSE(dock("brushes_panel").isVisible());
+    give(Command::WorkspaceOil);
+    EXPECT_EQ(places(stand()), places(tools::arrangement_of(Workspace::Oil)));
+    EXPECT_TRUE(window().menuBar()->isVisible());
+    EXPECT_FALSE(action(Command::CanvasOnly)->isChecked());
+}
+
+TEST_F(WorkspacesWindow, TheToolBarGoesComesAndMoves) {
+    auto* bar = window().findChild<QToolBar*>(QStringLiteral("tool_bar"));
+    EXPECT_TRUE(action(Command::ToolBar)->isChecked());
+    give(Command::ToolBar);
+    EXPECT_FALSE(bar->isVisible());
+    start_again();
+    bar = window().findChild<QToolBar*>(QStringLiteral("tool_bar"));
+    EXPECT_FALSE(bar->isVisible());
+    EXPECT_FALSE(action(Command::ToolBar)->isChecked());
+    give(Command::ToolBar);
+    EXPECT_TRUE(bar->isVisible());
+    window().addToolBar(Qt::BottomToolBarArea, bar);
+    start_again();
+    bar = window().findChild<QToolBar*>(QStringLiteral("tool_bar"));
+    EXPECT_EQ(window().toolBarArea(bar), Qt::BottomToolBarArea);
+    EXPECT_TRUE(bar->isMovable());
+    EXPECT_TRUE(bar->isFloatable());
+    give(Command::ToolBar);
+    give(Command::ResetPanels);
+    EXPECT_TRUE(bar->isVisible());
+    EXPECT_EQ(window().toolBarArea(bar), Qt::TopToolBarArea);
+}
+
+TEST_F(WorkspacesWindow, EveryOneFitsEveryScreenInEveryLanguage) {
+    for (const char* language : {"en", "ja", "sv", "zh_TW"}) {
+        SCOPED_TRACE(language);
+        main::speak(QString::fromLatin1(language));
+        open_another();
+        for (const QSize& size : {QSize(1024, 640), QSize(3840, 2160)})
+            for (const auto& [command, workspace] : kShipped) {
+                window().resize(size);
+                wait_for([&] { return window().size() == size; });
+                give(command);
+                EXPECT_EQ(window().size(), size) << static_cast<int>(workspace);
+                EXPECT_GE(canvas().width(), 300) << static_cast<int>(workspace);
+                EXPECT_EQ(places(stand()), places(tools::arrangement_of(workspace)));
+                for (const QDockWidget* one : window().findChildren<QDockWidget*>())
+                    if (one->isVisible() && !one->visibleRegion().isEmpty()) {
+                        EXPECT_TRUE(window().rect().contains(one->geometry()))
+                            << one->objectName().toStdString();
+                    }
+            }
+    }
+}
+
+}  // namespace
+}  // namespace pastoso::tests
