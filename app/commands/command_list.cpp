@@ -530,6 +530,8 @@ constexpr CommandText kCommands[] = {
                 true},
     CommandText{Command::Manual, kHelp, QT_TR_NOOP("&Manual"), "F1",
                 QT_TR_NOOP("Read about what is under the pointer"), false, false, Mode::Everywhere},
+    CommandText{Command::Tour, kHelp, QT_TR_NOOP("Show me &round"), "",
+                QT_TR_NOOP("Three steps: paint, move the canvas, take other paint")},
     CommandText{Command::WhatIsNew, kHelp, QT_TR_NOOP("What is &new"), "",
                 QT_TR_NOOP("What has changed, version by version"), false, false, Mode::Everywhere},
     CommandText{Command::About, kHelp, QT_TR_NOOP("&About Pastoso"), "",

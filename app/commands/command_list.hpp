@@ -211,6 +211,7 @@ enum class Command {
     RemoveWorkspace,
     LeftHanded,
     Manual,
+    Tour,
     WhatIsNew,
     About,
 };

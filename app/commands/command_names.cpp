@@ -220,6 +220,7 @@ constexpr Name kNames[] = {
     {Command::RemoveWorkspace, "remove_workspace"},
     {Command::LeftHanded, "left_handed"},
     {Command::Manual, "manual"},
+    {Command::Tour, "tour"},
     {Command::WhatIsNew, "what_is_new"},
     {Command::About, "about"},
 };

@@ -84,6 +84,7 @@ void meet_painter(MainWindow& window, bool with_page) {
         window.parts().start.welcome();
     else
         window.parts().files.offer_recovery();
+    if (with_page) window.parts().tour.begin_at_first_start(!window.parts().start.page_is_shown());
 }
 
 void use(const pastoso::tools::Preferences& preferences) {

@@ -33,6 +33,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.place, &CanvasPlace::taken_by, &parts.files, &ProjectFiles::show_place);
     connect(&parts.workspaces, &WorkspaceCommands::arranging, &parts.view,
             &ViewCommands::leave_canvas_only);
+    connect(&parts.start, &StartCommands::dismissed, &parts.tour, &TourCommands::canvas_freed);
     connect(&parts.tea, &TeaMode::other_wanted, &parts.tank, &TankMode::choose);
     connect(&parts.tank, &TankMode::tea_wanted, &parts.tea, &TeaMode::enter);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.physics, &panels::MediumPanel::finish);

@@ -48,6 +48,7 @@
 #include "main/program/key_commands.hpp"
 #include "main/program/new_window.hpp"
 #include "main/program/preference_commands.hpp"
+#include "main/program/tour_commands.hpp"
 #include "main/program/window_settings.hpp"
 #include "main/program/workspace_commands.hpp"
 
@@ -95,6 +96,7 @@ struct WindowParts {
     Recorder recorder;
     PaintingAgain again;
     PaintSettings paints;
+    TourCommands tour;
     WindowSettings memory;
     WorkspaceCommands workspaces;
     NewWindow new_window;

@@ -42,7 +42,8 @@ double read_strength(const JsonPlace& place, double most) {
 double read_number(const JsonPlace& place, double least, double most) {
     const double number = place.number();
     if (!(number >= least && number <= most))
-        place.fail("%1 is not between %2 and %3.", place.value().dump(), Json(least).dump(), Json(most).dump());
+        place.fail("%1 is not between %2 and %3.", place.value().dump(), Json(least).dump(),
+                   Json(most).dump());
     return number;
 }
 
@@ -106,7 +107,7 @@ Settings read_settings(const std::filesystem::path& file) {
     Settings settings;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
         root.allow_only({"version", "pen", "window", "undo_memory_MiB", "light", "recent_commands",
-                         "show_start_page", "medium_numbers_open", "brush_editor_page"});
+                         "show_start_page", "tour_seen", "medium_numbers_open", "brush_editor_page"});
         if (const auto recent = root.optional_entry("recent_commands"))
             settings.recent_commands = read_texts(*recent);
         if (const auto light = root.optional_entry("light")) {
@@ -123,6 +124,7 @@ Settings read_settings(const std::filesystem::path& file) {
                 static_cast<int>(memory->integer(kLeastUndoMemory_MiB, kMostUndoMemory_MiB));
         if (const auto shown = root.optional_entry("show_start_page"))
             settings.show_start_page = shown->boolean();
+        if (const auto seen = root.optional_entry("tour_seen")) settings.tour_seen = seen->boolean();
         if (const auto open = root.optional_entry("medium_numbers_open"))
             settings.medium_numbers_open = open->boolean();
         if (const auto page = root.optional_entry("brush_editor_page"))
@@ -146,6 +148,7 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
                     {"reload_each_stroke", settings.reload_each_stroke},
                     {"turn_with_stroke", settings.turn_with_stroke}}},
                   {"show_start_page", settings.show_start_page},
+                  {"tour_seen", settings.tour_seen},
                   {"medium_numbers_open", settings.medium_numbers_open},
                   {"brush_editor_page", settings.brush_editor_page},
                   {"undo_memory_MiB", settings.undo_memory_MiB},

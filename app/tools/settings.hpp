@@ -26,6 +26,7 @@ struct Settings {
     shade::Varnish varnish;                    ///< that the painting is seen under
     std::vector<std::string> recent_commands;  ///< of the palette, by name, the latest first
     bool show_start_page = true;               ///< when the program starts without a file
+    bool tour_seen = false;                    ///< or left
     bool medium_numbers_open = false;          ///< those below the words for a medium
     int brush_editor_page = 0;                 ///< the one that was open last, 0 to kMostBrushEditorPage
     std::string window_place;                  ///< as Qt writes it, in base 64; empty: nothing is known

@@ -44,6 +44,7 @@ TEST_F(SettingsTest, ComeBackAsTheyWereWritten) {
     settings.varnish = {shade::Finish::Satin, 0.75, 0.25};
     settings.recent_commands = {"dry_now", "of another version"};
     settings.show_start_page = false;
+    settings.tour_seen = true;
     settings.medium_numbers_open = true;
     settings.brush_editor_page = 4;
     settings.window_place = "AdnQywAD";

@@ -80,9 +80,14 @@ void StartCommands::connect_choices(start::StartPage& page) {
 
 /// The canvas takes the keys, as if the page had never been there.
 void StartCommands::dismiss() {
-    if (page_ == nullptr || page_->isHidden()) return;
+    if (!page_is_shown()) return;
     page_->hide();
     studio_.canvas().setFocus();
+    Q_EMIT dismissed();
+}
+
+bool StartCommands::page_is_shown() const {
+    return page_ != nullptr && !page_->isHidden();
 }
 
 void StartCommands::set_shown_at_start(bool shown) {
@@ -96,7 +101,7 @@ bool StartCommands::shown_at_start() const {
 
 /// The page stays over the canvas wherever the panels leave it.
 void StartCommands::place() {
-    if (page_ != nullptr && !page_->isHidden()) page_->lie_on(messages_.free_canvas());
+    if (page_is_shown()) page_->lie_on(messages_.free_canvas());
 }
 
 }  // namespace pastoso::main

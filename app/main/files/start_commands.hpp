@@ -30,6 +30,12 @@ class StartCommands : public QObject {
     void set_shown_at_start(bool shown);
     bool shown_at_start() const;
 
+    bool page_is_shown() const;
+
+  Q_SIGNALS:
+    /// The page lies over the canvas no more.
+    void dismissed();
+
   private:
     start::StartPage& page();
     void connect_choices(start::StartPage& page);

@@ -7,6 +7,7 @@
 #include "main/paint/light_choice.hpp"
 #include "main/paint/well_commands.hpp"
 #include "main/pen/brush_editing.hpp"
+#include "main/program/tour_commands.hpp"
 #include "panels/paint/medium_panel.hpp"
 #include "panels/pen/brush_panel.hpp"
 #include "tools/settings.hpp"
@@ -50,7 +51,7 @@ std::vector<std::string> recent_names(const commands::CommandRegistry& commands)
 
 WindowSettings::WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light,
                                UndoCommands& undo, WellCommands& well, StartCommands& start,
-                               BrushEditing& brush_editing)
+                               BrushEditing& brush_editing, TourCommands& tour)
     : studio_(studio),
       panels_(panels),
       light_(light),
@@ -58,6 +59,7 @@ WindowSettings::WindowSettings(Studio& studio, const PanelSet& panels, LightChoi
       well_(well),
       start_(start),
       brush_editing_(brush_editing),
+      tour_(tour),
       file_(studio, core::user_config_path("settings.json")) {}
 
 bool WindowSettings::recall() {
@@ -65,6 +67,7 @@ bool WindowSettings::recall() {
     tools::Settings settings;
     file_.recall([&settings](const auto& file) { settings = tools::read_settings(file); });
     start_.set_shown_at_start(settings.show_start_page);
+    tour_.set_seen(settings.tour_seen);
     undo_.set_memory(settings.undo_memory_MiB);
     light_.use_lamp({.azimuth_deg = settings.light_azimuth_deg,
                      .elevation_deg = settings.light_elevation_deg,
@@ -92,6 +95,7 @@ void WindowSettings::remember() {
     settings.reload_each_stroke = hand.reload_each_stroke;
     settings.turn_with_stroke = hand.turn_with_stroke;
     settings.show_start_page = start_.shown_at_start();
+    settings.tour_seen = tour_.seen();
     settings.undo_memory_MiB = undo_.memory_MiB();
     settings.light_azimuth_deg = light_.lamp().azimuth_deg;
     settings.light_elevation_deg = light_.lamp().elevation_deg;

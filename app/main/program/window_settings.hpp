@@ -12,6 +12,7 @@ namespace pastoso::main {
 class BrushEditing;
 class LightChoice;
 class StartCommands;
+class TourCommands;
 class UndoCommands;
 class WellCommands;
 
@@ -19,7 +20,8 @@ class WindowSettings : public QObject {
     Q_OBJECT
   public:
     WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light, UndoCommands& undo,
-                   WellCommands& well, StartCommands& start, BrushEditing& brush_editing);
+                   WellCommands& well, StartCommands& start, BrushEditing& brush_editing,
+                   TourCommands& tour);
 
     /// Whether the panels stand as they were left; otherwise as before. A file that cannot be read is
     /// told, and left as it is.
@@ -34,6 +36,7 @@ class WindowSettings : public QObject {
     WellCommands& well_;
     StartCommands& start_;
     BrushEditing& brush_editing_;
+    TourCommands& tour_;
     RememberedFile file_;
 };
 
