@@ -43,6 +43,7 @@ CommandPalette::CommandPalette(const commands::CommandRegistry& commands, QWidge
     setObjectName(QStringLiteral("command_palette"));
     typed_->setObjectName(QStringLiteral("typed"));
     typed_->setPlaceholderText(tr("What do you want to do?"));
+    typed_->setAccessibleName(typed_->placeholderText());
     typed_->setClearButtonEnabled(true);
     typed_->installEventFilter(this);
     list_->setModel(model_);

@@ -26,6 +26,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
             &SelectionCommands::go_back_to_painting);
     connect(&parts.fills, &FillCommands::gradients_begin, &parts.transform, &LayerTransform::end);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.files, &ProjectFiles::show_title);
+    connect(&parts.sizing, &CanvasSizing::resized, &parts.view, &ViewCommands::name_canvas);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
     connect(&parts.preferences, &PreferenceCommands::autosave_due, &parts.files,
             &ProjectFiles::save_by_itself);

@@ -54,6 +54,7 @@ std::vector<panels::PaintEntry> paint_entries() {
 
 panels::MediumBox* make_medium_box() {
     auto* box = new panels::MediumBox;
+    box->setAccessibleName(QObject::tr("Kind of paint"));
     box->setToolTip(QObject::tr("How the next paint flows; what lies on the canvas keeps its own way"));
     return box;
 }

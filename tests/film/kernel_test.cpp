@@ -125,7 +125,7 @@ TEST(TileKernel, EqualsTheScalarFormulaToTheBit) {
     for (int y = 0; y < kTileSize; ++y)
         for (int x = 0; x < kTileSize; ++x) {
             const HaloBlock& b = scratch->block;
-            const FaceFlow<float> flow = face_flow<FaceModel{.yield = true, .alpha_range = true}, FacePlace::Anywhere>(
+            const FaceFlow<float> flow = face_flow<FaceModel{.yield = true, .alpha_range = true}>(
                 scalar_neighbourhood(*scratch, step, block_index(x, y), kBlockStride, 1,
                                      b.velocity_y.data(), b.velocity_x.data()),
                 step, step.force_y_mm_s2, step.force_x_mm_s2);
@@ -406,7 +406,7 @@ TEST(FaceFlow, NothingMovesBetweenDryCells) {
     face.eta_left = 3.0F;
     face.support_left = 3.0F;
     face.pressure_left = 100.0F;
-    const FaceFlow<float> flow = face_flow<FaceModel{}, FacePlace::Anywhere>(face, oily_constants(), 1000.0F, 0.0F);
+    const FaceFlow<float> flow = face_flow<FaceModel{}>(face, oily_constants(), 1000.0F, 0.0F);
     EXPECT_EQ(flow.velocity, 0.0F);
     EXPECT_EQ(flow.thickness, 0.0F);
 }

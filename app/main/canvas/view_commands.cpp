@@ -1,5 +1,6 @@
 #include "main/canvas/view_commands.hpp"
 
+#include "main/canvas/said_pointer.hpp"
 #include "panels/parts/status_readings.hpp"
 #include "view/look_legend.hpp"
 
@@ -42,8 +43,19 @@ ViewCommands::ViewCommands(Studio& studio, panels::StatusReadings* readings)
             [this](const QPointF& canvas_mm) { readings_->show_pointer(canvas_mm); });
     connect(&canvas_, &view::CanvasView::pointer_left, this,
             [this] { readings_->show_pointer(std::nullopt); });
+    say_pointer(canvas_);
+    connect(&studio_, &Studio::session_begun, this, &ViewCommands::name_canvas);
     studio_.window().installEventFilter(this);
     show_view();
+}
+
+/// For those who do not see it.
+void ViewCommands::name_canvas() {
+    const document::CanvasSettings canvas = studio_.session().canvas();
+    canvas_.setAccessibleName(tr("Canvas %1 \u00d7 %2 mm, %3 cells a millimetre")
+                                  .arg(canvas.width_mm)
+                                  .arg(canvas.height_mm)
+                                  .arg(canvas.px_per_mm));
 }
 
 void ViewCommands::connect_zooming() {

@@ -24,6 +24,9 @@ class ViewCommands : public QObject {
 
     bool eventFilter(QObject* window, QEvent* event) override;
 
+    /// What it is like has changed.
+    void name_canvas();
+
   private:
     void connect_zooming();
     void connect_turning();

@@ -1,6 +1,7 @@
 #include "main/paint/well_commands.hpp"
 
 #include "document/well.hpp"
+#include "main/canvas/said_pointer.hpp"
 
 #include <utility>
 
@@ -13,6 +14,8 @@ namespace pastoso::main {
 using commands::Command;
 
 WellCommands::WellCommands(Studio& studio, QDockWidget* dock) : studio_(studio), dock_(dock) {
+    say_pointer(studio_.well());
+    studio_.well().setAccessibleName(dock_->windowTitle());
     connect(dock_, &QDockWidget::visibilityChanged, this,
             [this] { studio_.commands().action(Command::MixingWell)->setChecked(!dock_->isHidden()); });
     studio_.commands().on(Command::MixingWell, [this](bool opened) { open(opened); });

@@ -1,5 +1,6 @@
 #include "panels/canvas/direction_dial.hpp"
 
+#include "appearance/said_value.hpp"
 #include "appearance/theme.hpp"
 #include "core/units.hpp"
 #include "panels/parts/section.hpp"
@@ -16,6 +17,7 @@ namespace pastoso::panels {
 
 DirectionDial::DirectionDial(double full_angle_deg, QWidget* parent)
     : QWidget(parent), full_angle_deg_(full_angle_deg) {
+    appearance::say_as(*this, QAccessible::Dial);
     setCursor(Qt::CrossCursor);
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Maximum);  // in a low window it gives way
     keep_keys_for_canvas(this);
@@ -25,6 +27,7 @@ DirectionDial::DirectionDial(double full_angle_deg, QWidget* parent)
 void DirectionDial::set(double angle_deg, double azimuth_deg) {
     angle_deg_ = std::clamp(angle_deg, 0.0, full_angle_deg_);
     azimuth_deg_ = azimuth_deg - 360.0 * std::floor(azimuth_deg / 360.0);
+    appearance::say_value(*this, value_words());
     update();
 }
 

@@ -39,6 +39,9 @@ class DirectionDial : public QWidget {
     virtual void paint_dial(QPainter& painter, const QPointF& centre, double radius,
                             const QPointF& point) = 0;
 
+    /// How it stands, for those who do not see it.
+    virtual QString value_words() const = 0;
+
     /// The direction that a double click returns to.
     virtual void reset() { drag_to(0.0, azimuth_deg_); }
 

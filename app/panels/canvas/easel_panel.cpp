@@ -173,6 +173,7 @@ QWidget* EaselPanel::drying_row() {
     drying_->setObjectName(QStringLiteral("drying"));
     drying_->setRange(0, static_cast<int>(std::size(kDryingStops)) - 1);
     drying_->setPageStep(1);
+    drying_->setAccessibleName(tr("Drying"));
     drying_->setToolTip(tr("How fast wet paint dries; D dries it at once"));
     keep_keys_for_canvas(drying_);
     drying_reading_->setObjectName(QStringLiteral("reading"));

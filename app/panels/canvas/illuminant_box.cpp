@@ -7,6 +7,7 @@
 namespace pastoso::panels {
 
 IlluminantBox::IlluminantBox(QWidget* parent) : QComboBox(parent) {
+    setAccessibleName(tr("Seen in"));
     setToolTip(tr("The light on the easel; the paint stays as it is"));
     addItem(tr("Daylight (D65)"), QStringLiteral("D65"));
     addItem(tr("Print booth (D50)"), QStringLiteral("D50"));

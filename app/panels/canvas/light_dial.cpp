@@ -20,6 +20,12 @@ LightDial::LightDial(QWidget* parent) : DirectionDial(90.0 - kLowestElevation_de
            "Keys: arrows move it, Home puts it back."));
 }
 
+QString LightDial::value_words() const {
+    return tr("%1\u00b0 high, from %2\u00b0")
+        .arg(elevation_deg(), 0, 'f', 0)
+        .arg(light_azimuth_deg(), 0, 'f', 0);
+}
+
 void LightDial::reset() {
     const shade::Lighting usual;
     drag_to(90.0 - usual.elevation_deg, 360.0 - usual.azimuth_deg);

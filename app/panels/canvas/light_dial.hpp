@@ -21,6 +21,7 @@ class LightDial : public DirectionDial {
   protected:
     void paint_dial(QPainter& painter, const QPointF& centre, double radius,
                     const QPointF& point) override;
+    QString value_words() const override;
     void reset() override;
 };
 

@@ -50,7 +50,6 @@ LightPanel::LightPanel(QWidget* parent)
     column->addWidget(lamp_section());
     auto* seen_in = new QWidget;
     illuminant_->setObjectName(QStringLiteral("panel_illuminant"));
-    illuminant_->setAccessibleName(tr("Seen in"));
     section(seen_in, tr("Seen in"))->addWidget(illuminant_);
     column->addWidget(varnish_section());
     column->addWidget(seen_in);

@@ -1,5 +1,6 @@
 #include "panels/canvas/navigator_map.hpp"
 
+#include "appearance/said_value.hpp"
 #include "appearance/screen_colours.hpp"
 #include "appearance/theme.hpp"
 #include "panels/parts/section.hpp"
@@ -17,6 +18,7 @@ constexpr double kMargin_px = 6.0;
 }  // namespace
 
 NavigatorMap::NavigatorMap(QWidget* parent) : QWidget(parent) {
+    appearance::say_as(*this, QAccessible::Graphic);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setCursor(Qt::PointingHandCursor);
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
@@ -71,6 +73,10 @@ void NavigatorMap::show_frame(const QSizeF& canvas, const QPolygonF& corners) {
     canvas_ = canvas;
     frame_ = corners;
     if (other_canvas) fit_picture();
+    appearance::say_value(*this,
+                          tr("The middle of the window is %1 % from the left and %2 % from the top")
+                              .arg(100.0 * centre().x(), 0, 'f', 0)
+                              .arg(100.0 * centre().y(), 0, 'f', 0));
     update();
 }
 

@@ -43,6 +43,14 @@ TiltDial::TiltDial(QWidget* parent) : DirectionDial(kUpright_deg, parent) {
     setToolTip(
         tr("Drag to tilt the canvas: the paint runs towards the knob. Double-click lays it flat.\n"
            "Keys: arrows tilt it, Home lays it flat."));
+    set(angle_deg(), azimuth_deg());
+}
+
+QString TiltDial::value_words() const {
+    if (angle_deg() == 0.0) return tr("flat");
+    return tr("%1\u00b0 steep, down is at %2\u00b0")
+        .arg(angle_deg(), 0, 'f', 0)
+        .arg(azimuth_deg(), 0, 'f', 0);
 }
 
 void TiltDial::paint_dial(QPainter& painter, const QPointF& centre, double radius,

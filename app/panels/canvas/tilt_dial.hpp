@@ -15,6 +15,7 @@ class TiltDial : public DirectionDial {
   protected:
     void paint_dial(QPainter& painter, const QPointF& centre, double radius,
                     const QPointF& point) override;
+    QString value_words() const override;
 };
 
 }  // namespace pastoso::panels

@@ -117,6 +117,7 @@ void ColourPicker::use_model(ColourModel model) {
         rows_[i].slider->setToolTip(name);
         rows_[i].slider->setAccessibleName(name);
         rows_[i].number->setAccessibleName(name);
+        rows_[i].number->setToolTip(name);
         rows_[i].number->setDecimals(text.decimals);
         rows_[i].number->setRange(0.0, text.most);
         rows_[i].number->setSingleStep(text.most > 1.0 ? 1.0 : 0.005);

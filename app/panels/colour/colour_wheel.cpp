@@ -1,5 +1,6 @@
 #include "panels/colour/colour_wheel.hpp"
 
+#include "appearance/said_value.hpp"
 #include "appearance/screen_colours.hpp"
 #include "core/units.hpp"
 #include "panels/colour/wheel_picture.hpp"
@@ -49,6 +50,7 @@ ColourWheel::ColourWheel(QWidget* parent) : QWidget(parent) {
             [this] { ring_ = field_ = {}; });
     setObjectName(QStringLiteral("colour_wheel"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    appearance::say_as(*this, QAccessible::ColorChooser);
     setAccessibleName(tr("Colour wheel"));
     setToolTip(
         tr("The ring is the hue. Inside, lightness goes up and chroma to the right, as far as the\n"
@@ -62,10 +64,10 @@ void ColourWheel::show_colour(const tools::Channels& oklch) {
     const double hue_deg = oklch_[2];
     oklch_ = oklch;
     if (oklch[1] == 0.0) oklch_[2] = hue_deg;
-    setAccessibleDescription(tr("Lightness %1 %, chroma %2, hue %3\u00b0")
-                                 .arg(oklch_[0], 0, 'f', 0)
-                                 .arg(oklch_[1], 0, 'f', 2)
-                                 .arg(oklch_[2], 0, 'f', 0));
+    appearance::say_value(*this, tr("Lightness %1 %, chroma %2, hue %3\u00b0")
+                                     .arg(oklch_[0], 0, 'f', 0)
+                                     .arg(oklch_[1], 0, 'f', 2)
+                                     .arg(oklch_[2], 0, 'f', 0));
     update();
 }
 

@@ -1,5 +1,6 @@
 #include "panels/colour/picture_board.hpp"
 
+#include "appearance/said_value.hpp"
 #include "appearance/screen_colours.hpp"
 #include "appearance/theme.hpp"
 #include "panels/parts/section.hpp"
@@ -21,6 +22,8 @@ constexpr double kMostZoom = 32.0;
 }  // namespace
 
 PictureBoard::PictureBoard(QWidget* parent) : QWidget(parent) {
+    appearance::say_as(*this, QAccessible::Graphic);
+    appearance::say_value(*this, tr("no picture"));
     setCursor(Qt::CrossCursor);
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
             [this] { shown_ = appearance::shown(picture_); });
@@ -33,6 +36,10 @@ PictureBoard::PictureBoard(QWidget* parent) : QWidget(parent) {
 void PictureBoard::show_picture(const QImage& picture) {
     picture_ = picture;
     shown_ = appearance::shown(picture_);
+    appearance::say_value(*this,
+                          picture_.isNull()
+                              ? tr("no picture")
+                              : tr("%1 \u00d7 %2 pixels").arg(picture_.width()).arg(picture_.height()));
     fit();
 }
 
@@ -83,8 +90,10 @@ void PictureBoard::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), appearance::colours().ground);
     if (picture_.isNull()) {
         painter.setPen(palette().text().color());
-        painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No picture to trace"));
+        painter.drawText(
+            rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
+            tr("A picture that you choose to trace lies here, to look at and to pick colours "
+               "from, and below the paint."));
     } else {
         painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom_ < 4.0);
         painter.drawImage(QRectF(corner_, zoom_ * QSizeF(picture_.size())), shown_);

@@ -52,10 +52,12 @@ void TracingPanel::make_rows(QWidget* parent) {
     opacity_ = new ValueRow(grid, QStringLiteral("tracing_opacity"), tr("Opacity"),
                             tr("How strongly it shows below the paint"), {0.0, 100.0, 0, tr(" %")});
     connect(opacity_, &ValueRow::chosen, this, &TracingPanel::value_chosen);
-    const auto number = [&](const QString& words, double least_mm, const char* name) {
+    const auto number = [&](const QString& words, const QString& hint, double least_mm,
+                            const char* name) {
         auto* box = new QDoubleSpinBox;
         box->setObjectName(QString::fromLatin1(name));
         box->setAccessibleName(words);
+        box->setToolTip(hint);
         box->setRange(least_mm, document::kMaxPenPosition_mm);
         box->setDecimals(1);
         box->setSuffix(tr(" mm"));
@@ -69,10 +71,12 @@ void TracingPanel::make_rows(QWidget* parent) {
         connect(box, &QDoubleSpinBox::valueChanged, this, &TracingPanel::value_chosen);
         return box;
     };
-    x_ = number(tr("From the left"), -document::kMaxPenPosition_mm, "tracing_x");
-    y_ = number(tr("From above"), -document::kMaxPenPosition_mm, "tracing_y");
-    width_ = number(tr("Width"), kNarrowest_mm, "tracing_width");
-    width_->setToolTip(tr("Its height follows in proportion"));
+    const double farthest_mm = document::kMaxPenPosition_mm;
+    x_ = number(tr("From the left"), tr("Where its left edge lies on the canvas"), -farthest_mm,
+                "tracing_x");
+    y_ = number(tr("From above"), tr("Where its upper edge lies on the canvas"), -farthest_mm,
+                "tracing_y");
+    width_ = number(tr("Width"), tr("Its height follows in proportion"), kNarrowest_mm, "tracing_width");
 }
 
 void TracingPanel::show_tracing(const std::shared_ptr<const layers::Tracing>& tracing) {

@@ -17,8 +17,9 @@ namespace {
 /// Days of painting; more would only be memory.
 constexpr int kMostLines = 1000;
 
-QPushButton* button(const QString& words, const char* name) {
+QPushButton* button(const QString& words, const QString& hint, const char* name) {
     auto* made = new QPushButton(words);
+    made->setToolTip(hint);
     made->setObjectName(QString::fromLatin1(name));
     keep_keys_for_canvas(made);
     return made;
@@ -36,8 +37,9 @@ MessagePanel::MessagePanel(QWidget* parent) : QWidget(parent), list_(new QPlainT
     list_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     list_->setMaximumBlockCount(kMostLines);
     list_->setPlaceholderText(tr("Nothing has been told yet."));
-    QPushButton* copy = button(tr("Copy all"), "copy_messages");
-    QPushButton* clear = button(tr("Clear"), "clear_messages");
+    QPushButton* copy =
+        button(tr("Copy all"), tr("All messages, to be pasted elsewhere"), "copy_messages");
+    QPushButton* clear = button(tr("Clear"), tr("Take all messages off the list"), "clear_messages");
     connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
     connect(clear, &QPushButton::clicked, list_, &QPlainTextEdit::clear);
     auto* buttons = new QHBoxLayout;

@@ -46,6 +46,7 @@ PaceNotice::PaceNotice(const std::vector<Choice>& choices, QWidget* parent)
         row->addWidget(button);
         buttons_.push_back({choice, button});
     }
+    all_->setToolTip(tr("What lets the paint keep up again"));
     keep_keys_for_canvas(all_);
     all_->setMenu(new QMenu(all_));
     connect(all_->menu(), &QMenu::aboutToShow, this, &PaceNotice::fill_menu);

@@ -46,6 +46,7 @@ LoadPanel::LoadPanel(const std::vector<QAction*>& actions, QAction* swap, QWidge
     way_->addItem(tr("Only the tip"), static_cast<int>(Way::Tip));
     way_->addItem(tr("One paint on each side"), static_cast<int>(Way::TwoSides));
     way_->addItem(tr("Half mixed from two"), static_cast<int>(Way::HalfMixed));
+    way_->setAccessibleName(way_->toolTip());
     keep_keys_for_canvas(way_);
     auto* values = new QWidget;
     auto* grid = new QGridLayout(values);

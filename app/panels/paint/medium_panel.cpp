@@ -76,6 +76,7 @@ QWidget* MediumPanel::medium_section() {
     auto* widget = new QWidget;
     auto* column = section(widget, tr("Kind of paint"));
     media_->setObjectName(QStringLiteral("kind_of_paint"));
+    media_->setAccessibleName(tr("Kind of paint"));
     media_->setToolTip(tr("The brush is cleaned, and dipped in paint of this kind"));
     description_->setObjectName(QStringLiteral("reading"));
     description_->setWordWrap(true);

@@ -49,6 +49,7 @@ using tools::SteadyMode;
 
 BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent)
     : QWidget(parent), finder_(new BrushFinder), list_(new BrushList) {
+    list_->setAccessibleName(tr("Brush"));
     list_->setMinimumHeight(kListHeight);
     list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
     connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
@@ -121,6 +122,8 @@ QWidget* BrushPanel::make_width_row() {
     width_->setFocusPolicy(Qt::StrongFocus);
     width_->setToolTip(tr("Width of the brush's tip  ([ and ])"));
     slider_->setToolTip(width_->toolTip());
+    for (QWidget* control : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(width_)})
+        control->setAccessibleName(tr("Width of the brush's tip"));
     keep_keys_for_canvas(slider_);
     connect(slider_, &QSlider::valueChanged, this,
             [this](int position) { Q_EMIT width_chosen(width_from_slider(position)); });
@@ -152,6 +155,7 @@ QWidget* BrushPanel::make_stabiliser_rows() {
     strength_ = new QSlider(Qt::Horizontal);
     strength_->setObjectName(QStringLiteral("steady_strength"));
     strength_->setAccessibleName(tr("How much the hand is steadied"));
+    strength_->setToolTip(strength_->accessibleName());
     keep_keys_for_canvas(strength_);
     strength_reading_ = new QLabel;
     strength_reading_->setObjectName(QStringLiteral("reading"));

@@ -1,5 +1,6 @@
 #include "panels/pen/curve_editor.hpp"
 
+#include "appearance/said_value.hpp"
 #include "panels/parts/section.hpp"
 #include "tools/pressure_curve.hpp"
 
@@ -30,7 +31,9 @@ CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
     keep_own_keys(this, {Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Insert, Qt::Key_Delete});
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    appearance::say_as(*this, QAccessible::Chart);
     setAccessibleName(tr("Curve"));
+    say();
     setToolTip(
         tr("Drag a point, click beside one to add another, right click to take one away.\n"
            "Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away."));
@@ -45,7 +48,22 @@ void CurveEditor::show_curve(const brush::DynamicsCurve& curve) {
     curve_ = curve;
     frame_ = tools::frame_of(curve);
     chosen_ = std::min(chosen_, static_cast<int>(curve_.points.size()) - 1);
+    say();
     update();
+}
+
+/// The point that is chosen, or how many there are to choose from.
+void CurveEditor::say() {
+    const int count = static_cast<int>(curve_.points.size());
+    if (chosen_ < 0) return appearance::say_value(*this, tr("%n point(s)", nullptr, count));
+    const brush::CurvePoint& point = curve_.points[static_cast<std::size_t>(chosen_)];
+    const double across = point.input / frame_.most_input;
+    const double up = (point.output - frame_.least_output) / (frame_.most_output - frame_.least_output);
+    appearance::say_value(*this, tr("Point %1 of %2: %3 % across, %4 % up")
+                                     .arg(chosen_ + 1)
+                                     .arg(count)
+                                     .arg(100.0 * across, 0, 'f', 0)
+                                     .arg(100.0 * up, 0, 'f', 0));
 }
 
 // ---- places
@@ -86,6 +104,7 @@ int CurveEditor::point_near(const QPointF& position) const {
 void CurveEditor::choose(int index) {
     chosen_ = index;
     if (chosen_ >= 0) Q_EMIT read_at(curve_.points[static_cast<std::size_t>(chosen_)].input);
+    say();
     update();
 }
 

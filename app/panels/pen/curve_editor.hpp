@@ -51,6 +51,7 @@ class CurveEditor : public QWidget {
     QRectF plot() const;
     int point_near(const QPointF& position) const;
     void choose(int index);
+    void say();
     void move_chosen(const brush::CurvePoint& place);
     int add(const brush::CurvePoint& place);
     void step_chosen(int key, bool fine);

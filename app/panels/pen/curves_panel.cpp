@@ -149,6 +149,7 @@ CurvesPanel::CurvesPanel(QWidget* parent)
     auto* column = section(this, tr("How it answers to the hand"));
     which_->setObjectName(QStringLiteral("curve_choice"));
     which_->setToolTip(tr("What of the hand sets what of the tool"));
+    which_->setAccessibleName(which_->toolTip());
     which_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     keep_keys_for_canvas(which_);
     reading_->setObjectName(QStringLiteral("curve_reading"));

@@ -54,6 +54,7 @@ QDoubleSpinBox* GuidesPanel::add_number(QFormLayout* form, const QString& name, 
     auto* box = new QDoubleSpinBox;
     box->setObjectName(name);
     box->setAccessibleName(words);
+    box->setToolTip(tr("%1: %2 to %3%4").arg(words).arg(least).arg(most).arg(unit));
     box->setRange(least, most);
     box->setDecimals(unit.isEmpty() ? 0 : 1);
     box->setSuffix(unit);

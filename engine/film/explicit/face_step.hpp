@@ -95,11 +95,11 @@ PASTOSO_LANE_FUNCTION FaceFlow<F> face_flow(F thickness, const FaceDrag<F>& drag
 }
 
 /// All of it at once.
-template <FaceModel kModel, FacePlace kPlace, class F>
+template <FaceModel kModel, class F>
 PASTOSO_LANE_FUNCTION FaceFlow<F> face_flow(const FaceNeighbourhood<F>& face, const StepConstants& step,
                                             float force, float force_across) {
     FaceDrive<kModel, F> drive;
-    explicit_drive<kModel, kPlace>(face, step, force, force_across, drive);
+    explicit_drive<kModel, FacePlace::Anywhere>(face, step, force, force_across, drive);
     const FaceDrag<F> drag = face_drag<kModel>(drive, step);
     return face_flow(drive.thickness, drag, drag_law<kModel.yield>(drag.drag, drag.stress), step);
 }

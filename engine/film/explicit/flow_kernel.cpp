@@ -87,10 +87,9 @@ struct FaceKernel {
         std::array<FaceDrive<kModel, Lanes>, kGroups> drive;
         std::array<FaceDrag<Lanes>, kGroups> drag;
         std::array<BinghamDrag<Lanes>, kGroups> law;
-        const bool inside = local.has_contact_angle() && scratch.ends.are_inside(y, axis.along);
         for (int group = 0; group < kGroups; ++group) {
             const int i = block_index(group * kLanes, y);
-            if (inside || are_in_film<kModel>(scratch, local, axis, AlongRow{}, i))
+            if (are_in_film<kModel>(scratch, local, axis, i))
                 drive_at<FacePlace::InFilm>(i, local, drive[group]);
             else
                 drive_near_end(i, drive[group]);
@@ -114,21 +113,14 @@ struct FaceKernel {
         extremes = found;
     }
 
-    template <FacePlace kPlace>
-    FaceFlow<Lanes> flow_along_column(int i) const {
-        return face_flow<kModel, kPlace>(
-            neighbourhood<kModel, kPlace>(scratch, step, axis, AlongColumn{}, i), step, axis.force,
-            axis.force_across);
-    }
-
     /// Faces 0..63 of a column.
     void flow_column(int x, const LineMask& on_canvas, LaneExtremes& extremes) const {
         const std::int32_t* quanta = scratch.block.quanta.data();
         for (int y = 0; y < kTileSize; y += kLanes) {
             const int i = block_index(x, y);
-            const FaceFlow<Lanes> flow = are_in_film<kModel>(scratch, step, axis, AlongColumn{}, i)
-                                             ? flow_along_column<FacePlace::InFilm>(i)
-                                             : flow_along_column<FacePlace::Anywhere>(i);
+            const FaceFlow<Lanes> flow = face_flow<kModel>(
+                neighbourhood<kModel, FacePlace::Anywhere>(scratch, step, axis, AlongColumn{}, i), step,
+                axis.force, axis.force_across);
             extremes.add(flow, load(&on_canvas[y]));
             const Ints left =
                 lanes::generate<Ints>([&](int lane) { return quanta[i + lane * kBlockStride]; });

@@ -3,7 +3,6 @@
 #include "core/check.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace pastoso::film {
 namespace {
@@ -43,99 +42,84 @@ HaloSource face_source(int face, int count, Edge edge) {
     return source;
 }
 
-/// A column beside the tile's cells: its place in a row of a block, and where it comes from.
-struct MarginColumn {
-    int place = 0;
-    HaloSource source;
-};
-
-void copy_cells(const TileHeights& tile, int first, int count, float* out) {
-    tile.copy(first, count, out);
-}
+/// One row of a field, seen through the tiles of that row.
 template <class T>
-void copy_cells(const T* tile, int first, int count, T* out) {
-    std::copy_n(tile + first, count, out);
-}
-
-/// Rows of a field as a block has them, seen through the tiles of one row of tiles.
-template <class Field>
-class FieldRows {
+class FieldRow {
   public:
-    FieldRows(const Field& field, const std::array<HaloSource, kBlockRows>& columns, int extent,
-              int tile_x)
-        : field_(field), extent_(extent), tile_x_(tile_x) {
-        for (int k = 0; k < 2 * kHalo; ++k) {
-            const int place = k < kHalo ? k : extent + k;
-            margin_[k] = {place, columns[place]};
-        }
-    }
-
-    /// Writes the row: of the margin margin_value(value, source of the column).
-    template <class T, class MarginValue>
-    void copy(const HaloSource& row, T* out, const MarginValue& margin_value) {
-        if (row.tile != tile_row_) look_at(row.tile);
-        const int first_cell = row.cell * kTileSize;
-        copy_cells(own_, first_cell, extent_, out + kHalo);
-        for (int k = 0; k < 2 * kHalo; ++k) {
-            const MarginColumn& column = margin_[k];
-            out[column.place] = margin_value(beside_[k][first_cell + column.source.cell], column.source);
-        }
-    }
+    FieldRow(const grid::TiledField<T>& field, const HaloSource& row)
+        : field_(field),
+          first_tile_(row.tile * field.shape().tiles_x()),
+          offset_(row.cell * kTileSize) {}
+    const T* tile(int tile_x) const { return field_.read(first_tile_ + tile_x) + offset_; }
+    T at(const HaloSource& column) const { return tile(column.tile)[column.cell]; }
 
   private:
-    using Tile = decltype(std::declval<const Field&>().read(0));
-
-    void look_at(int tile_row) {
-        const int first_tile = tile_row * field_.shape().tiles_x();
-        own_ = field_.read(first_tile + tile_x_);
-        for (int k = 0; k < 2 * kHalo; ++k)
-            beside_[k] = field_.read(first_tile + margin_[k].source.tile);
-        tile_row_ = tile_row;
-    }
-
-    const Field& field_;
-    int extent_, tile_x_;
-    std::array<MarginColumn, 2 * kHalo> margin_;
-    int tile_row_ = -1;
-    Tile own_{};
-    std::array<Tile, 2 * kHalo> beside_{};
+    const grid::TiledField<T>& field_;
+    int first_tile_;
+    int offset_;
 };
 
-using QuantaRows = FieldRows<grid::TiledField<std::int32_t>>;
-using HeightRows = FieldRows<SupportHeights>;
-using VelocityRows = FieldRows<grid::TiledField<float>>;
+/// Calls visit(x) for the margin columns on both sides of the tile's cells.
+template <class Visit>
+void for_each_margin_column(int extent, const Visit& visit) {
+    for (int x = -kHalo; x < 0; ++x)
+        visit(x);
+    for (int x = extent; x < extent + kHalo; ++x)
+        visit(x);
+}
 
-void gather_velocity_x(VelocityRows& rows, const HaloSource& row, int extent, float* out) {
+template <class T>
+void gather_cells(const grid::TiledField<T>& field, const HaloMap& columns, const HaloSource& row,
+                  int tile_x, T* out) {
+    const FieldRow<T> source(field, row);
+    std::copy_n(source.tile(tile_x), columns.extent, out + kHalo);
+    for_each_margin_column(columns.extent, [&](int x) {
+        const HaloSource& column = columns.cells[x + kHalo];
+        out[x + kHalo] = column.outside ? T{} : source.at(column);
+    });
+}
+
+void gather_heights(const SupportHeights& field, const HaloMap& columns, const HaloSource& row,
+                    int tile_x, float* out) {
+    const int first_tile = row.tile * field.shape().tiles_x(), first_cell = row.cell * kTileSize;
+    field.read(first_tile + tile_x).copy(first_cell, columns.extent, out + kHalo);
+    for_each_margin_column(columns.extent, [&](int x) {
+        const HaloSource& column = columns.cells[x + kHalo];
+        out[x + kHalo] = field.read(first_tile + column.tile)[first_cell + column.cell];
+    });
+}
+
+float velocity_at(const FieldRow<float>& source, const HaloSource& column, bool mirrors) {
+    if (column.outside) return 0.0F;
+    const float velocity = source.at(column);
+    return mirrors && column.mirrored ? -velocity : velocity;
+}
+
+/// `columns` and `row` are faces along the component's own axis and cells along the other.
+void gather_velocity(const grid::TiledField<float>& field,
+                     const std::array<HaloSource, kBlockRows>& columns, int extent,
+                     const HaloSource& row, int tile_x, bool x_component, float* out) {
     if (row.outside) {
         std::fill_n(out, extent + 2 * kHalo, 0.0F);
         return;
     }
-    rows.copy(row, out, [](float velocity, const HaloSource& column) {
-        if (column.outside) return 0.0F;
-        return column.mirrored ? -velocity : velocity;
+    const FieldRow<float> source(field, row);
+    const float sign = !x_component && row.mirrored ? -1.0F : 1.0F;
+    const float* values = source.tile(tile_x);
+    for (int x = 0; x < extent; ++x)
+        out[x + kHalo] = sign * values[x];
+    for_each_margin_column(extent, [&](int x) {
+        out[x + kHalo] = sign * velocity_at(source, columns[x + kHalo], x_component);
     });
+    if (x_component && columns[extent - 1 + kHalo].outside) out[extent - 1 + kHalo] = 0.0F;
 }
 
-void gather_velocity_y(VelocityRows& rows, const HaloSource& row, int extent, float* out) {
-    const int width = extent + 2 * kHalo;
-    if (row.outside) {
-        std::fill_n(out, width, 0.0F);
-        return;
-    }
-    rows.copy(row, out,
-              [](float velocity, const HaloSource& column) { return column.outside ? 0.0F : velocity; });
-    if (!row.mirrored) return;
-    for (int x = 0; x < width; ++x)
-        out[x] = -out[x];
-}
-
-void gather_quanta_row(QuantaRows& rows, const HaloSource& row, int extent, std::int32_t* out) {
-    if (row.outside) {
-        std::fill_n(out, extent + 2 * kHalo, 0);
-        return;
-    }
-    rows.copy(row, out,
-              [](std::int32_t quanta, const HaloSource& column) { return column.outside ? 0 : quanta; });
+void gather_quanta_row(const grid::TiledField<std::int32_t>& thickness, const HaloMap& columns,
+                       const HaloSource& row, int tile_x, std::int32_t* out) {
+    if (row.outside)
+        std::fill_n(out, columns.extent + 2 * kHalo, 0);
+    else
+        gather_cells(thickness, columns, row, tile_x, out);
 }
 
 void derive_surface(HaloBlock& block, int row_start, int width) {
@@ -146,7 +130,7 @@ void derive_surface(HaloBlock& block, int row_start, int width) {
 }
 
 void clear_beyond(HaloBlock& block, int row_start, int width) {
-    for (int i = row_start + width; i < row_start + kBlockRows; ++i) {
+    for (int i = row_start + width; i < row_start + kBlockStride; ++i) {
         block.quanta[i] = 0;
         block.thickness[i] = block.support[i] = block.eta[i] = 0.0F;
         block.velocity_x[i] = block.velocity_y[i] = 0.0F;
@@ -182,12 +166,7 @@ void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
             float wet_mm, HaloBlock& block) {
     block.first_wet_row = 0;
     block.last_wet_row = -1;
-    const int extent = columns.extent, width = extent + 2 * kHalo;
-    const bool at_edge = columns.faces[extent - 1 + kHalo].outside;
-    QuantaRows quanta(state.thickness, columns.cells, extent, tile_x);
-    HeightRows support(state.support_mm, columns.cells, extent, tile_x);
-    VelocityRows velocity_x(state.velocity_x, columns.faces, extent, tile_x);
-    VelocityRows velocity_y(state.velocity_y, columns.cells, extent, tile_x);
+    const int width = columns.extent + 2 * kHalo;
     for (int y = -kHalo; y < kTileSize + kHalo; ++y) {
         const int start = block_index(-kHalo, y);
         if (y >= rows.extent + kHalo) {
@@ -195,11 +174,12 @@ void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
             continue;
         }
         const HaloSource& row = rows.cells[y + kHalo];
-        gather_quanta_row(quanta, row, extent, &block.quanta[start]);
-        support.copy(row, &block.support[start], [](float height, const HaloSource&) { return height; });
-        gather_velocity_x(velocity_x, row, extent, &block.velocity_x[start]);
-        if (at_edge) block.velocity_x[block_index(extent - 1, y)] = 0.0F;
-        gather_velocity_y(velocity_y, rows.faces[y + kHalo], extent, &block.velocity_y[start]);
+        gather_quanta_row(state.thickness, columns, row, tile_x, &block.quanta[start]);
+        gather_heights(state.support_mm, columns, row, tile_x, &block.support[start]);
+        gather_velocity(state.velocity_x, columns.faces, columns.extent, row, tile_x, true,
+                        &block.velocity_x[start]);
+        gather_velocity(state.velocity_y, columns.cells, columns.extent, rows.faces[y + kHalo], tile_x,
+                        false, &block.velocity_y[start]);
         derive_surface(block, start, width);
         clear_beyond(block, start, width);
         note_wet_row(block, y, start, width, wet_mm);
@@ -208,11 +188,10 @@ void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
 
 void gather_quanta(const grid::TiledField<std::int32_t>& thickness, const HaloMap& columns,
                    const HaloMap& rows, int tile_x, BlockArray<std::int32_t>& quanta) {
-    QuantaRows from(thickness, columns.cells, columns.extent, tile_x);
     for (int y = -kHalo; y < kTileSize + kHalo; ++y) {
         std::int32_t* out = &quanta[block_index(-kHalo, y)];
         const bool reached = y < rows.extent + kHalo;
-        if (reached) gather_quanta_row(from, rows.cells[y + kHalo], columns.extent, out);
+        if (reached) gather_quanta_row(thickness, columns, rows.cells[y + kHalo], tile_x, out);
         const int filled = reached ? columns.extent + 2 * kHalo : 0;
         std::fill(out + filled, out + kBlockStride, 0);
     }

@@ -42,8 +42,7 @@ struct HaloMap {
 };
 HaloMap make_halo_map(int tile_index, int canvas_cells, Edge edge);
 
-/// The gathered fields; cells that no source reaches hold no paint. Columns from kBlockRows on are
-/// padding.
+/// The gathered fields; cells that no source reaches hold no paint.
 struct HaloBlock {
     alignas(64) BlockArray<float> thickness;  ///< mm
     alignas(64) BlockArray<float> support;    ///< mm

@@ -61,8 +61,7 @@ void find_ends_of_rows(const StepConstants& step, int first, int last, const Hal
     bool above = is_wet_row(step, first - 1, block), here = is_wet_row(step, first, block);
     for (int y = first; y <= last; ++y) {
         const bool below = is_wet_row(step, y + 1, block);
-        ends.is_inside[y + kHalo] = above && here && below;
-        if (ends.is_inside[y + kHalo])
+        if (above && here && below)
             clear_ends(y, ends);
         else
             find_ends(step, y, block, ends);
@@ -127,7 +126,6 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
     const float* eta = scratch.block.eta.data();
     const EndSlope<kFullCurvature> end{scratch, step, normal_along, axis};
     const Lanes inverse_cell(step.inverse_cell);
-    const bool bounded = step.has_contact_angle() && !scratch.ends.are_inside(y, axis);
     for_each_lane_group(-2, kTileSize + 1, [&](int x) {
         const int left = block_index(x, y), right = left + axis;
         const Lanes slope = (load(eta + right) - load(eta + left)) * inverse_cell;
@@ -135,7 +133,8 @@ void face_slopes(const TileScratch& scratch, const StepConstants& step, int y, i
                                    ((load(eta + left + across) - load(eta + left - across)) +
                                     (load(eta + right + across) - load(eta + right - across)));
         Lanes result = bent<kFullCurvature>(slope, slope_across);
-        if (bounded && !are_off_ends(scratch, step, axis, AlongRow{}, left)) end.bound(left, result);
+        if (step.has_contact_angle() && !are_off_ends(scratch, step, axis, left))
+            end.bound(left, result);
         if (step.media) result = relative_tension(scratch.block, step, left, right) * result;
         store(slopes + left, result);
     });

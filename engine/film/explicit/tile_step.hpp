@@ -28,13 +28,6 @@ struct FilmEnds {
     alignas(64) BlockArray<float> normal_x, normal_y;  ///< |n| components of the film's outline
     alignas(64) BlockArray<float> contact_slope, slope, reach_mm, depth_x_mm,
         depth_y_mm, over_x_mm, over_y_mm;
-    /// Rows of the block in which the film cannot end: all of their cells and of those around are wet.
-    std::array<bool, kBlockRows> is_inside;
-
-    /// Whether that holds for the rows of both cells of faces in row y; faces of axis 1 lie along it.
-    bool are_inside(int y, int axis) const {
-        return is_inside[y + kHalo] && (axis == 1 || is_inside[y + 1 + kHalo]);
-    }
 };
 
 /// What one thread needs to step a tile; reused from tile to tile.

@@ -64,27 +64,27 @@ template <class Load>
             .normal_along = load_at(along_x ? &ends.normal_x[i] : &ends.normal_y[i])};
 }
 
-/// Whether the film ends in no cell at a group of faces, of which the first lies at cell i of the block.
-template <class Load>
-[[gnu::always_inline]] inline bool are_off_ends(const TileScratch& scratch, const StepConstants& step,
-                                                int along, const Load& load_at, int i) {
+/// Whether the film ends in no cell at a group of faces along a row, from cell i of the block on.
+[[maybe_unused, gnu::always_inline]] inline bool are_off_ends(const TileScratch& scratch,
+                                                              const StepConstants& step, int along,
+                                                              int i) {
     const float* h = scratch.block.thickness.data() + i;
-    if (!lanes::all(lanes::min(load_at(h), load_at(h + along)) > Lanes(step.wet_mm))) return false;
+    if (!lanes::all(lanes::min(load(h), load(h + along)) > Lanes(step.wet_mm))) return false;
     if (!step.has_contact_angle()) return true;
     const float* end_slope = scratch.ends.slope.data() + i;
-    return lanes::all(lanes::max(load_at(end_slope), load_at(end_slope + along)) == Lanes(0.0F));
+    return lanes::all(lanes::max(load(end_slope), load(end_slope + along)) == Lanes(0.0F));
 }
 
 /// Whether they are in the middle of the film, for all that the model looks at.
-template <FaceModel kModel, class Load>
+template <FaceModel kModel>
 [[gnu::always_inline]] inline bool are_in_film(const TileScratch& scratch, const StepConstants& step,
-                                               const Axis& axis, const Load& load_at, int i) {
-    if (!are_off_ends(scratch, step, axis.along, load_at, i)) return false;
+                                               const Axis& axis, int i) {
+    if (!are_off_ends(scratch, step, axis.along, i)) return false;
     if constexpr (!kModel.yield) return true;
     const float* h = scratch.block.thickness.data() + i;
     const int s = axis.along, t = axis.across;
-    const Lanes thinnest = lanes::min(lanes::min(load_at(h - t), load_at(h + t)),
-                                      lanes::min(load_at(h + s - t), load_at(h + s + t)));
+    const Lanes thinnest =
+        lanes::min(lanes::min(load(h - t), load(h + t)), lanes::min(load(h + s - t), load(h + s + t)));
     return lanes::all(thinnest > Lanes(step.wet_mm));
 }
 

@@ -131,7 +131,7 @@ struct LargeFaceRow {
     void drive(bool thinned) const {
         for_each_lane_group(first_x, kTileSize, [&](int x) {
             if (is_shut(x)) return shut_group(face_index(x, y));
-            if (are_in_film<kModel>(scratch, step, axis, AlongRow{}, block_index(x, y)))
+            if (are_in_film<kModel>(scratch, step, axis, block_index(x, y)))
                 drive_group<FacePlace::InFilm>(x, thinned);
             else
                 drive_near_end(x, thinned);

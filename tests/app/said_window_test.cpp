@@ -1,0 +1,168 @@
+// What a screen reader and the pointer are told of everything in the window.
+#include "app/window_fixture.hpp"
+#include "appearance/said_value.hpp"
+#include "main/window_parts.hpp"
+#include "panels/canvas/light_dial.hpp"
+#include "panels/canvas/tilt_dial.hpp"
+#include "panels/pen/curve_editor.hpp"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QTabBar>
+#include <QTest>
+#include <QToolButton>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using testing::HasSubstr;
+
+class SaidWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (HasFatalFailure()) return;
+        action(Command::Pause)->trigger();
+        for (QDockWidget* dock : window().findChildren<QDockWidget*>())
+            dock->show();
+        QApplication::processEvents();
+    }
+
+    static std::string said(QWidget& widget, QAccessible::Text which) {
+        QAccessibleInterface* said = QAccessible::queryAccessibleInterface(&widget);
+        return said == nullptr ? std::string() : said->text(which).trimmed().toStdString();
+    }
+    static std::string words_for(const QWidget& widget) {
+        std::string words = std::string(widget.metaObject()->className()) + " " +
+                            widget.objectName().toStdString() + " in";
+        for (const QWidget* around = widget.parentWidget(); around != nullptr;
+             around = around->parentWidget())
+            if (!around->objectName().isEmpty()) words += " " + around->objectName().toStdString();
+        return words;
+    }
+
+    /// Of the whole window, those that the Tab key reaches; parts of Qt's own are those around them.
+    std::vector<QWidget*> focusable() {
+        std::vector<QWidget*> found;
+        for (QWidget* widget : window().findChildren<QWidget*>()) {
+            const bool is_part = widget->objectName().startsWith(QStringLiteral("qt_")) ||
+                                 widget->inherits("QComboBoxListView") ||
+                                 qobject_cast<QTabBar*>(widget->parentWidget()) != nullptr ||
+                                 qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) != nullptr ||
+                                 qobject_cast<QComboBox*>(widget->parentWidget()) != nullptr;
+            if ((widget->focusPolicy() & Qt::TabFocus) && !is_part) found.push_back(widget);
+        }
+        return found;
+    }
+
+    /// Qt draws it, and says how it stands.
+    static bool is_known_to_qt(const QWidget& widget) {
+        for (const char* known :
+             {"QAbstractButton", "QAbstractSlider", "QAbstractSpinBox", "QComboBox", "QAbstractItemView",
+              "QLineEdit", "QTabBar", "QTextEdit", "QPlainTextEdit"})
+            if (widget.inherits(known)) return true;
+        return false;
+    }
+};
+
+TEST_F(SaidWindow, WhateverTakesKeysHasAName) {
+    int count = 0;
+    for (QWidget* widget : focusable()) {
+        if (qobject_cast<QTabBar*>(widget) != nullptr) continue;
+        ++count;
+        EXPECT_NE(said(*widget, QAccessible::Name), "") << words_for(*widget);
+    }
+    EXPECT_GT(count, 60);
+}
+
+TEST_F(SaidWindow, WhatDrawsItselfSaysWhatItIsAndHowItStands) {
+    int count = 0;
+    for (QWidget* widget : focusable()) {
+        if (is_known_to_qt(*widget) || !widget->metaObject()->superClass()) continue;
+        ++count;
+        EXPECT_NE(said(*widget, QAccessible::Value), "") << words_for(*widget);
+        EXPECT_NE(QAccessible::queryAccessibleInterface(widget)->role(), QAccessible::Client)
+            << words_for(*widget);
+    }
+    EXPECT_GE(count, 7);
+}
+
+TEST_F(SaidWindow, TheCanvasSaysItsSizeAndWhereTheBrushIs) {
+    const document::CanvasSettings settings = canvas_settings();
+    EXPECT_THAT(said(canvas(), QAccessible::Name),
+                HasSubstr("Canvas " + std::to_string(static_cast<int>(settings.width_mm))));
+    EXPECT_EQ(QAccessible::queryAccessibleInterface(&canvas())->role(), QAccessible::Canvas);
+    move({12.0, 20.0}, Qt::NoButton);
+    EXPECT_EQ(said(canvas(), QAccessible::Value), "Brush at 12, 20 mm");
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&canvas(), &leave);
+    EXPECT_THAT(said(canvas(), QAccessible::Value), HasSubstr("not over"));
+    document::CanvasSettings other = settings;
+    other.width_mm = 44.0;
+    parts().files.new_canvas(other);
+    loaded();
+    EXPECT_THAT(said(canvas(), QAccessible::Name), HasSubstr("Canvas 44"));
+    EXPECT_EQ(said(studio().well(), QAccessible::Name), "Mixing well");
+}
+
+TEST_F(SaidWindow, DialsAndCurvesSayWhatKeysDoToThem) {
+    auto& tilt = *window().findChild<panels::TiltDial*>();
+    tilt.set(0.0, 90.0);
+    EXPECT_EQ(said(tilt, QAccessible::Value), "flat");
+    QTest::keyClick(&tilt, Qt::Key_Down);
+    EXPECT_EQ(said(tilt, QAccessible::Value), "2° steep, down is at 90°");
+    auto& light = *window().findChild<panels::LightDial*>();
+    light.set_light(36.0, 135.0);
+    EXPECT_EQ(said(light, QAccessible::Value), "36° high, from 135°");
+    auto& curve = *window().findChild<panels::CurveEditor*>();
+    curve.show_curve({.points = {{0.0, 0.0}, {1.0, 1.0}}});
+    QTest::keyClick(&curve, Qt::Key_PageDown);
+    EXPECT_THAT(said(curve, QAccessible::Value), HasSubstr("Point 1 of 2: 0 % across"));
+    QTest::keyClick(&curve, Qt::Key_PageDown);
+    EXPECT_THAT(said(curve, QAccessible::Value), HasSubstr("Point 2 of 2: 100 % across"));
+}
+
+TEST_F(SaidWindow, EveryControlSaysWhatItDoes) {
+    int count = 0;
+    for (QWidget* widget : focusable()) {
+        const bool is_list =
+            qobject_cast<QAbstractItemView*>(widget) != nullptr || widget->inherits("QPlainTextEdit");
+        if (is_list || qobject_cast<QTabBar*>(widget) != nullptr ||
+            qobject_cast<QLineEdit*>(widget) != nullptr)
+            continue;
+        const bool is_canvas = widget == &canvas() || widget == &studio().well();
+        const bool is_in_list = widget->parentWidget()->inherits("QAbstractItemView");
+        if (is_canvas || is_in_list) continue;
+        ++count;
+        EXPECT_FALSE(widget->toolTip().isEmpty() && widget->parentWidget()->toolTip().isEmpty())
+            << words_for(*widget);
+    }
+    EXPECT_GT(count, 60);
+}
+
+TEST_F(SaidWindow, ButtonsOfCommandsSayTheirKey) {
+    int count = 0;
+    for (const auto* button : window().findChildren<QToolButton*>()) {
+        const QAction* action = button->defaultAction();
+        if (action == nullptr || action->shortcuts().isEmpty()) continue;
+        ++count;
+        const QString key = action->shortcuts().front().toString(QKeySequence::NativeText);
+        EXPECT_TRUE(button->toolTip().contains(key))
+            << words_for(*button) << button->text().toStdString();
+        EXPECT_TRUE(button->toolTip().contains(action->statusTip())) << button->text().toStdString();
+    }
+    EXPECT_GT(count, 20);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
