@@ -44,6 +44,16 @@ void ScreenColours::use(ScreenCube cube, ScreenCube of_painting) {
     if (cube == cube_ && of_painting == of_painting_) return;
     cube_ = std::move(cube);
     of_painting_ = std::move(of_painting);
+    tell();
+}
+
+void ScreenColours::squint(bool squints) {
+    if (squints == squints_) return;
+    squints_ = squints;
+    tell();
+}
+
+void ScreenColours::tell() {
     Q_EMIT changed();
     for (QWidget* widget : QApplication::allWidgets())
         widget->update();

@@ -27,11 +27,19 @@ class ScreenColours : public QObject {
     /// What a painting is shown through, where it is painted and looked at.
     const ScreenCube& of_painting() const { return of_painting_; }
 
+    /// Whether canvases are seen as with half-closed eyes (screen/squint.hpp). All widgets are painted
+    /// anew.
+    void squint(bool squints);
+    bool squints() const { return squints_; }
+
   Q_SIGNALS:
     void changed();
 
   private:
+    void tell();
+
     ScreenCube cube_, of_painting_;
+    bool squints_ = false;
 };
 
 /// Those of the program.

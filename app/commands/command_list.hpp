@@ -139,6 +139,7 @@ enum class Command {
     SoftProof,
     GamutWarning,
     ValueCheck,
+    SquintView,
     BrushesPanel,
     PaintsPanel,
     EaselPanel,

@@ -148,6 +148,7 @@ constexpr Name kNames[] = {
     {Command::SoftProof, "soft_proof"},
     {Command::GamutWarning, "gamut_warning"},
     {Command::ValueCheck, "value_check"},
+    {Command::SquintView, "squint_view"},
     {Command::BrushesPanel, "brushes_panel"},
     {Command::PaintsPanel, "paints_panel"},
     {Command::EaselPanel, "easel_panel"},

@@ -6,6 +6,7 @@
 #include "screen/canvas_shader.hpp"
 #include "screen/damaged_pixels.hpp"
 #include "screen/qt_rect.hpp"
+#include "screen/squint.hpp"
 #include "screen/window_pixels.hpp"
 #include "shade/outline.hpp"
 
@@ -176,7 +177,8 @@ void GlScreen::draw_frame() {
 }
 
 void GlScreen::finish_picture() {
-    picture_.finish(appearance::screen_colours().of_painting(), defaultFramebufferObject());
+    picture_.finish(appearance::screen_colours().of_painting(), squint_px(*this),
+                    defaultFramebufferObject());
 }
 
 /// What is there is moved along, where shading all of it anew would hold up the hand.

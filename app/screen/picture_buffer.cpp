@@ -54,6 +54,7 @@ void set_scissor(QOpenGLExtraFunctions& gl, const QRect& part) {
 void PictureBuffer::initialise(QOpenGLExtraFunctions* gl) {
     gl_ = gl;
     prepare(Look::Lit);
+    squint_.initialise(gl);
     finish_.initialise(gl);
     gl_->glGenVertexArrays(1, &vertex_array_);
 }
@@ -78,6 +79,7 @@ void PictureBuffer::release() {
     picture_.reset();
     spare_.reset();
     coarse_.reset();
+    squint_.release();
     finish_.release();
     size_ = {};
     if (gl_ != nullptr) gl_->glDeleteVertexArrays(1, &vertex_array_);
@@ -184,8 +186,10 @@ void PictureBuffer::enlarge_coarse(const QRect& coarse, const QRect& part) {
     gl_->glDisable(GL_SCISSOR_TEST);
 }
 
-void PictureBuffer::finish(const appearance::ScreenCube& cube, GLuint framebuffer) {
-    finish_.draw(picture_->texture(), size_, cube, framebuffer);
+void PictureBuffer::finish(const appearance::ScreenCube& cube, double squint_px, GLuint framebuffer) {
+    const GLuint picture =
+        squint_px > 0.0 ? squint_.squinted(picture_->texture(), size_, squint_px) : picture_->texture();
+    finish_.draw(picture, size_, cube, framebuffer);
 }
 
 }  // namespace pastoso::screen

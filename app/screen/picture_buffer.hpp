@@ -5,6 +5,7 @@
 #include "screen/quality.hpp"
 #include "screen/scene.hpp"
 #include "screen/shading_uniforms.hpp"
+#include "screen/squint_pass.hpp"
 
 #include <map>
 #include <memory>
@@ -41,8 +42,8 @@ class PictureBuffer {
     void shade(const QRect& part, Quality quality, const Scene& scene);
 
     /// Draws the whole picture into the framebuffer given, in the colours and levels of the screen, and
-    /// leaves that bound.
-    void finish(const appearance::ScreenCube& cube, GLuint framebuffer);
+    /// leaves that bound. A blur of more than 0 is that of half-closed eyes (squint.hpp).
+    void finish(const appearance::ScreenCube& cube, double squint_px, GLuint framebuffer);
 
   private:
     /// The program for a look, and whether that draws outlines.
@@ -62,6 +63,7 @@ class PictureBuffer {
     std::unique_ptr<QOpenGLFramebufferObject> coarse_;
     std::unique_ptr<QOpenGLFramebufferObject> spare_;  ///< as large as the picture; made when it moves
     std::unique_ptr<QOpenGLShaderProgram> move_program_;  ///< the same
+    SquintPass squint_;
     graphics::PictureFinish finish_;
     GLuint vertex_array_ = 0;
 };

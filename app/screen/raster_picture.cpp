@@ -1,11 +1,9 @@
 #include "screen/raster_picture.hpp"
 
-#include "appearance/dither.hpp"
-#include "pigment/colour.hpp"
 #include "screen/damaged_pixels.hpp"
-#include "screen/encoded_pixels.hpp"
 #include "screen/qt_rect.hpp"
 #include "screen/quality.hpp"
+#include "screen/raster_finish.hpp"
 #include "screen/sheet_painter.hpp"
 #include "shade/cell_span.hpp"
 
@@ -34,35 +32,6 @@ constexpr double kMostCellsKept = 12e6;
 
 /// Layers are kept of so many cells beyond the canvas, too: a pixel at its edge reaches over it.
 constexpr int kKeptAround = 2 * shade::kLayersAround;
-
-pigment::EncodedRgb colour_of(const QRgba64& pixel) {
-    constexpr auto kMost = static_cast<float>(kMost16);
-    return {static_cast<float>(pixel.red()) / kMost, static_cast<float>(pixel.green()) / kMost,
-            static_cast<float>(pixel.blue()) / kMost};
-}
-
-QRgb dithered_pixel(const pigment::EncodedRgb& colour, int x, int y) {
-    const float threshold = appearance::dither_threshold(x, y);
-    return qRgb(appearance::dithered(colour[0], threshold), appearance::dithered(colour[1], threshold),
-                appearance::dithered(colour[2], threshold));
-}
-
-/// The ground with the soft shadow of the canvas's edge, as the canvas's shader draws it; none within
-/// the canvas.
-std::optional<pigment::EncodedRgb> ground_at(const RasterScene& scene, const glm::dvec2& px) {
-    constexpr double kReach_px = 9.0, kDarkest = 0.45;
-    const grid::Shape& shape = scene.sight.painting->film.shape;
-    const glm::dvec2 cells{shape.width, shape.height};
-    const glm::dvec2 cell = scene.view.cell_from_device(px);
-    const glm::dvec2 outside_px =
-        scene.view.zoom * glm::max(glm::max(-cell, cell - cells), glm::dvec2(0.0));
-    if (outside_px == glm::dvec2(0.0)) return std::nullopt;
-    const double shadow = kDarkest * std::exp(-glm::length(outside_px) / kReach_px);
-    pigment::EncodedRgb colour = scene.ground;
-    for (float& value : colour)
-        value *= static_cast<float>(1.0 - shadow);
-    return colour;
-}
 
 /// All cells that a picture of these pixels needs the layers of, and a few more.
 grid::Rect cells_needed(const CanvasSheet& sheet, const grid::Rect& pixels) {
@@ -117,6 +86,10 @@ bool same_canvas(const film::FilmState& a, const film::FilmState& b) {
     return a.shape == b.shape && a.cell_mm == b.cell_mm;
 }
 
+bool same_finish(const RasterScene& a, const RasterScene& b) {
+    return a.colours == b.colours && a.squint_px == b.squint_px;
+}
+
 /// Whether the layers of unchanged cells are those of before.
 bool same_layers(const Sight& a, const Sight& b) {
     return a.viewing.to_rgb == b.viewing.to_rgb && a.lighting.azimuth_deg == b.lighting.azimuth_deg &&
@@ -141,7 +114,7 @@ bool RasterPicture::show(const RasterScene& scene, core::ThreadPool& pool) {
     if (scale_top_mm_ != scale_before_mm) scene_.reset();
     const QRegion region = changed_pixels(scene, cells);
     const std::optional<glm::ivec2> moved = way_moved(scene);
-    const bool finished_anew = moved || (scene_ && scene_->colours != scene.colours);
+    const bool finished_anew = moved || (scene_ && !same_finish(*scene_, scene));
     if (image_.size() != scene.window_px) {
         canvas_ = QImage(scene.window_px, QImage::Format_RGBX64);
         image_ = QImage(scene.window_px, QImage::Format_RGB32);
@@ -160,6 +133,7 @@ bool RasterPicture::show(const RasterScene& scene, core::ThreadPool& pool) {
     else
         paint(rest, Quality::Plain, pool);
     if (finished_anew) finish(image_.rect(), scene, pool);
+    finish_for_squint(pool);
     return !soon;
 }
 
@@ -274,7 +248,9 @@ void RasterPicture::paint_from_afar(const QRegion& region, core::ThreadPool& poo
 }
 
 void RasterPicture::refine(core::ThreadPool& pool) {
-    if (is_draft()) paint_in_full(draft_ & next_strip(), pool);
+    if (!is_draft()) return;
+    paint_in_full(draft_ & next_strip(), pool);
+    finish_for_squint(pool);
 }
 
 QRect RasterPicture::next_strip() const {
@@ -327,22 +303,18 @@ QRegion RasterPicture::changed_pixels(const RasterScene& scene, const QRegion& c
     return changed & window;
 }
 
-/// Brings the canvas into the colours and levels of the screen, as kFinishShader does it.
+/// For half-closed eyes all of it is made anew, once it is painted.
 void RasterPicture::finish(const QRect& part, const RasterScene& scene, core::ThreadPool& pool) {
+    if (scene.squint_px > 0.0) {
+        changed_ = image_.rect();
+        return;
+    }
     changed_ += part;
-    uchar* const first = image_.bits();
-    pool.run(static_cast<std::size_t>(part.height()), [&](std::size_t row, int) {
-        const int y = part.top() + static_cast<int>(row);
-        const auto* canvas = reinterpret_cast<const QRgba64*>(canvas_.constScanLine(y));
-        auto* line = reinterpret_cast<QRgb*>(first + y * image_.bytesPerLine());
-        for (int x = part.left(); x <= part.right(); ++x) {
-            const auto ground = ground_at(scene, {x + 0.5, y + 0.5});
-            const pigment::EncodedRgb colour = ground.value_or(colour_of(canvas[x]));
-            const bool as_it_is = ground || scene.colours == nullptr;
-            line[x] =
-                dithered_pixel(as_it_is ? colour : pigment::shown_by(*scene.colours, colour), x, y);
-        }
-    });
+    finish_part(canvas_, part, scene, pool, image_);
+}
+
+void RasterPicture::finish_for_squint(core::ThreadPool& pool) {
+    if (scene_->squint_px > 0.0 && !changed_.isEmpty()) finish_squinted(canvas_, *scene_, pool, image_);
 }
 
 void RasterPicture::measure_heights(const RasterScene& scene, const document::Snapshot& seen,

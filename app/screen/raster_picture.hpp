@@ -60,6 +60,7 @@ class RasterPicture {
     void paint_from_afar(const QRegion& region, core::ThreadPool& pool);
     QRect next_strip() const;
     void finish(const QRect& part, const RasterScene& scene, core::ThreadPool& pool);
+    void finish_for_squint(core::ThreadPool& pool);
     void measure_heights(const RasterScene& scene, const document::Snapshot& seen,
                          const std::vector<int>& changed, core::ThreadPool& pool);
 

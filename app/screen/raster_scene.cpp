@@ -5,6 +5,7 @@ namespace pastoso::screen {
 bool same_place(const RasterScene& a, RasterScene b) {
     b.sight.painting = a.sight.painting;
     b.colours = a.colours;
+    b.squint_px = a.squint_px;
     return a == b;
 }
 

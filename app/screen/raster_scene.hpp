@@ -15,6 +15,7 @@ struct RasterScene {
     QSize window_px;
     Rgb ground{};                      ///< around the canvas, encoded
     appearance::ScreenCube colours{};  ///< that the canvas is shown through
+    double squint_px = 0.0;            ///< the blur of half-closed eyes (squint.hpp); 0: they are open
     friend bool operator==(const RasterScene&, const RasterScene&) = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "screen/raster_overlay.hpp"
+#include "screen/squint.hpp"
 #include "screen/window_pixels.hpp"
 
 #include <utility>
@@ -48,8 +49,12 @@ RasterScreen::RasterScreen(ScreenHost& host, QWidget& parent)
 }
 
 RasterScene RasterScreen::wanted_scene() const {
-    return {host_.sight(), host_.view_transform(), window_px(*this), ground_colour(),
-            appearance::screen_colours().of_painting()};
+    return {host_.sight(),
+            host_.view_transform(),
+            window_px(*this),
+            ground_colour(),
+            appearance::screen_colours().of_painting(),
+            squint_px(*this)};
 }
 
 /// What nobody sees is not drawn.

@@ -50,6 +50,7 @@ class ColoursWindow : public WindowTest {
     void TearDown() override {
         WindowTest::TearDown();
         appearance::screen_colours().use(nullptr, nullptr);
+        appearance::screen_colours().squint(false);
     }
     std::string file(const char* name, const std::string& bytes) {
         core::write_text_file(folder_.path() / name, bytes);
@@ -285,6 +286,32 @@ TEST_F(ColoursWindow, ValuesAreOfThePaintingAlone) {
     EXPECT_LT(greys.pixelColor(middle).hsvSaturation(), 4) << "a dither of one level";
     give(Command::ValueCheck);
     EXPECT_EQ(difference(picture(), coloured).largest, 0);
+}
+
+/// The largest step from a pixel to the next one in the middle row.
+int largest_step(const QImage& picture) {
+    const int y = picture.height() / 2;
+    int largest = 0;
+    for (int x = 1; x < picture.width(); ++x)
+        largest =
+            std::max(largest, std::abs(qGreen(picture.pixel(x, y)) - qGreen(picture.pixel(x - 1, y))));
+    return largest;
+}
+
+TEST_F(ColoursWindow, SquintingLeavesLargeShapesAlone) {
+    paint();
+    const QImage sharp = picture();
+    give(Command::SquintView);
+    const QImage squinted = picture();
+    EXPECT_GT(largest_step(sharp), 20);
+    EXPECT_LT(largest_step(squinted), largest_step(sharp) / 3);
+    EXPECT_EQ(squinted.size(), sharp.size());
+    give(Command::ValueCheck);
+    EXPECT_LT(picture().pixelColor(sharp.rect().center()).hsvSaturation(), 4) << "in greys, too";
+    give(Command::ValueCheck);
+    EXPECT_EQ(difference(picture(), squinted).largest, 0);
+    give(Command::SquintView);
+    EXPECT_EQ(difference(picture(), sharp).largest, 0);
 }
 
 TEST_F(ColoursWindow, ColoursAndPicturesAreShownAlike) {

@@ -33,6 +33,7 @@ ColourCommands::ColourCommands(Studio& studio) : studio_(studio), colord_(QDBusC
         profiles_.values = on;
         show();
     });
+    studio_.commands().on(Command::SquintView, [](bool on) { appearance::screen_colours().squint(on); });
     connect(&studio_.canvas(), &view::CanvasView::viewing_changed, this, &ColourCommands::show);
     connect(&colord_, &ColordProfile::found, this, &ColourCommands::take_system);
     studio_.window().installEventFilter(this);
