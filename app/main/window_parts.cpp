@@ -40,7 +40,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       exporting(studio, files, light),
       recorder(studio, panels.recorder),
       again(studio, files, light),
-      paints(studio, panels.colours),
+      paints(studio, loading, panels.colours),
       tour(studio, panels),
       memory(studio, panels, light, undo, well, start, brush_editing, tour),
       workspaces(studio, panels),

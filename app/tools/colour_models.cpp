@@ -16,10 +16,6 @@ std::uint8_t byte(double value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
-double turn_deg(double angle_deg) {
-    return angle_deg - 360.0 * std::floor(angle_deg / 360.0);
-}
-
 /// Smith, Color Gamut Transform Pairs, SIGGRAPH 1978.
 Channels hsv_from(const Srgb8& colour) {
     const double r = colour[0], g = colour[1], b = colour[2];
@@ -30,13 +26,13 @@ Channels hsv_from(const Srgb8& colour) {
         hue = (g - b) / spread;
     else if (most == g)
         hue = (b - r) / spread + 2.0;
-    return {turn_deg(60.0 * hue), 100.0 * spread / most, most / 2.55};
+    return {turned_deg(60.0 * hue), 100.0 * spread / most, most / 2.55};
 }
 
 Srgb8 from_hsv(const Channels& hsv) {
     const double value = 2.55 * hsv[2], share = hsv[1] / 100.0;
     const auto channel = [&](double place) {
-        const double sector = turn_deg(hsv[0] + 60.0 * place) / 60.0;
+        const double sector = turned_deg(hsv[0] + 60.0 * place) / 60.0;
         return byte(value * (1.0 - share * std::clamp(std::min(sector, 4.0 - sector), 0.0, 1.0)));
     };
     return {channel(5.0), channel(3.0), channel(1.0)};
@@ -67,11 +63,11 @@ LinearRgb from_oklab(const Channels& lab) {
 
 Channels oklch_from(const Srgb8& colour) {
     constexpr double kGrey = 5e-4;
-    const Channels lab = oklab_from(pigment::decoded(colour));
+    const Channels lab = oklab(colour);
     const double chroma = std::hypot(lab[1], lab[2]);
     const bool grey = chroma < kGrey;
     return {100.0 * lab[0], grey ? 0.0 : chroma,
-            grey ? 0.0 : turn_deg(core::degrees(std::atan2(lab[2], lab[1])))};
+            grey ? 0.0 : turned_deg(core::degrees(std::atan2(lab[2], lab[1])))};
 }
 
 LinearRgb linear_from_oklch(const Channels& lch) {
@@ -120,6 +116,18 @@ Srgb8 colour_from(ColourModel model, const Channels& channels) {
         default:
             return {byte(channels[0]), byte(channels[1]), byte(channels[2])};
     }
+}
+
+Channels oklab(const Srgb8& colour) {
+    return oklab_from(pigment::decoded(colour));
+}
+
+Srgb8 colour_of_oklab(const Channels& lab) {
+    return pigment::encoded(from_oklab(lab));
+}
+
+double turned_deg(double angle_deg) {
+    return angle_deg - 360.0 * std::floor(angle_deg / 360.0);
 }
 
 bool in_srgb(const Channels& oklch) {

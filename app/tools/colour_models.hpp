@@ -32,6 +32,15 @@ Channels channels_from(ColourModel model, const pigment::Srgb8& colour);
 /// A colour of Oklch outside sRGB is brought in, half by clipping and half by greying.
 pigment::Srgb8 colour_from(ColourModel model, const Channels& channels);
 
+/// Lightness 0 to 1, a and b of OKLab, in which equal distances look alike (Ottosson 2020).
+Channels oklab(const pigment::Srgb8& colour);
+
+/// The colour of a screen nearest to it.
+pigment::Srgb8 colour_of_oklab(const Channels& lab);
+
+/// An angle brought to 0 to 360, 360 itself left out.
+double turned_deg(double angle_deg);
+
 /// Whether sRGB has the colour of these channels of Oklch, without bringing anything in.
 bool in_srgb(const Channels& oklch);
 

@@ -16,4 +16,8 @@ pigment::Recipe closest_in_box(const pigment::Srgb8& colour);
 /// The same mixture as the brush is dipped in.
 document::PaintRecipe recipe_paint(const pigment::Recipe& recipe);
 
+/// The same paint from tubes alone: in the place of a colour of the screen stands its closest recipe, in
+/// as many parts together. Paint of tubes stays as it is.
+document::PaintRecipe from_tubes(const document::PaintRecipe& paint);
+
 }  // namespace pastoso::tools

@@ -1,10 +1,12 @@
 #include "tools/paint_shelf.hpp"
 
+#include "core/text.hpp"
 #include "document/actions/actions.hpp"
 #include "recordings/paint_json.hpp"
 #include "tools/memory_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace pastoso::tools {
@@ -61,6 +63,68 @@ pigment::ColourPalette read_palette(const JsonPlace& place) {
     return palette;
 }
 
+Json mixes_json(const std::vector<NamedPaint>& mixes) {
+    Json list = Json::array();
+    for (const NamedPaint& mix : mixes)
+        list.push_back({{"name", mix.name}, {"paint", recordings::paint_json(mix.paint)}});
+    return list;
+}
+
+NamedPaint read_mix(const JsonPlace& place) {
+    place.allow_only({"name", "paint"});
+    const JsonPlace paint = place.entry("paint");
+    NamedPaint mix{place.entry("name").text(), recordings::read_paint(paint)};
+    paint.guard([&] { document::check_paint(mix.paint); });
+    return mix;
+}
+
+/// Two of one name are told apart by a number.
+std::vector<NamedPaint> read_mixes(const JsonPlace& place) {
+    if (place.size() > kMostMixes)
+        place.fail("there are %1 mixes, but only %2 have room.", place.size(), kMostMixes);
+    PaintShelf shelf;
+    for (std::size_t i = 0; i < place.size(); ++i)
+        if (!keep_mix(read_mix(place.element(i)), shelf))
+            place.element(i).entry("name").fail("a mix needs a name.");
+    return shelf.mixes;
+}
+
+template <std::size_t kCount>
+std::size_t read_name(const JsonPlace& place, const std::array<const char*, kCount>& names) {
+    const std::string text = place.text();
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end())
+        place.fail("\"%1\" is not one of %2.", text, core::listed({names.begin(), names.end()}));
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+Json aids_json(const ColourAids& aids) {
+    return {{"harmony", kHarmonyNames.at(static_cast<std::size_t>(aids.harmony))},
+            {"mask", kMaskNames.at(static_cast<std::size_t>(aids.mask.shape))},
+            {"turn_deg", aids.mask.turn_deg}};
+}
+
+ColourAids read_aids(const JsonPlace& place) {
+    place.allow_only({"harmony", "mask", "turn_deg"});
+    ColourAids aids;
+    aids.harmony = static_cast<Harmony>(read_name(place.entry("harmony"), kHarmonyNames));
+    aids.mask.shape = static_cast<MaskShape>(read_name(place.entry("mask"), kMaskNames));
+    aids.mask.turn_deg = turned_deg(place.entry("turn_deg").number());
+    return aids;
+}
+
+bool has_mix(const PaintShelf& shelf, const std::string& name) {
+    return std::any_of(shelf.mixes.begin(), shelf.mixes.end(),
+                       [&](const NamedPaint& mix) { return mix.name == name; });
+}
+
+std::string free_name(const PaintShelf& shelf, const std::string& name) {
+    std::string free = name;
+    for (int number = 2; has_mix(shelf, free); ++number)
+        free = name + ' ' + std::to_string(number);
+    return free;
+}
+
 }  // namespace
 
 void note_recent(const document::PaintRecipe& paint, PaintShelf& shelf) {
@@ -76,12 +140,45 @@ bool keep_paint(const document::PaintRecipe& paint, PaintShelf& shelf) {
     return true;
 }
 
+bool keep_mix(const NamedPaint& mix, PaintShelf& shelf) {
+    if (shelf.mixes.size() >= kMostMixes || core::is_blank(mix.name)) return false;
+    shelf.mixes.push_back({free_name(shelf, mix.name), mix.paint});
+    return true;
+}
+
+bool rename_mix(std::size_t index, const std::string& name, PaintShelf& shelf) {
+    if (core::is_blank(name)) return false;
+    std::string& own = shelf.mixes.at(index).name;
+    own.clear();
+    own = free_name(shelf, name);
+    return true;
+}
+
+PaintShelf paint_set(const PaintShelf& shelf) {
+    PaintShelf set;
+    set.kept = shelf.kept;
+    set.mixes = shelf.mixes;
+    return set;
+}
+
+int add_paint_set(const PaintShelf& set, PaintShelf& shelf) {
+    const std::size_t before = shelf.kept.size() + shelf.mixes.size();
+    for (const document::PaintRecipe& paint : set.kept)
+        keep_paint(paint, shelf);
+    for (const NamedPaint& mix : set.mixes)
+        if (std::find(shelf.mixes.begin(), shelf.mixes.end(), mix) == shelf.mixes.end())
+            keep_mix(mix, shelf);
+    return static_cast<int>(shelf.kept.size() + shelf.mixes.size() - before);
+}
+
 PaintShelf read_shelf(const std::filesystem::path& file) {
     PaintShelf shelf;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
-        root.allow_only({"version", "recent", "kept", "opened"});
+        root.allow_only({"version", "recent", "kept", "mixes", "opened", "aids"});
         shelf.recent = read_paints(root.entry("recent"), kMostRecentPaints);
         shelf.kept = read_paints(root.entry("kept"), kMostKeptPaints);
+        if (const auto mixes = root.optional_entry("mixes")) shelf.mixes = read_mixes(*mixes);
+        if (const auto aids = root.optional_entry("aids")) shelf.aids = read_aids(*aids);
         if (const auto opened = root.optional_entry("opened")) shelf.opened = read_palette(*opened);
     });
     return shelf;
@@ -90,6 +187,8 @@ PaintShelf read_shelf(const std::filesystem::path& file) {
 void write_shelf(const PaintShelf& shelf, const std::filesystem::path& file) {
     Json root{
         {"version", kVersion}, {"recent", paints_json(shelf.recent)}, {"kept", paints_json(shelf.kept)}};
+    if (!shelf.mixes.empty()) root["mixes"] = mixes_json(shelf.mixes);
+    if (!(shelf.aids == ColourAids{})) root["aids"] = aids_json(shelf.aids);
     if (!shelf.opened.colours.empty()) root["opened"] = palette_json(shelf.opened);
     write_memory(root, file);
 }

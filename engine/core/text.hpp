@@ -17,6 +17,11 @@ inline std::string lower_case(std::string_view text) {
     return lower;
 }
 
+/// Whether nothing of it is seen.
+inline bool is_blank(std::string_view text) {
+    return text.find_first_not_of(" \t") == std::string_view::npos;
+}
+
 /// "NAME, NAME", as messages and help list them.
 inline std::string listed(const std::vector<std::string>& names) {
     std::string text;

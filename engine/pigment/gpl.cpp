@@ -63,6 +63,13 @@ bool is_property(std::string_view text) {
     return begins_with_letter && text.find(':') != std::string_view::npos;
 }
 
+std::string on_one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char letter) { return letter == '\n' || letter == '\r' || letter == '\t'; }, ' ');
+    return text;
+}
+
 }  // namespace
 
 ColourPalette parse_gpl(std::string_view text, const std::string& file) {
@@ -82,6 +89,17 @@ ColourPalette parse_gpl(std::string_view text, const std::string& file) {
     }
     if (palette.colours.empty()) throw core::InputError("%1: there is no colour in this palette.", file);
     return palette;
+}
+
+std::string gpl_text(const ColourPalette& palette) {
+    std::string text = "GIMP Palette\nName: " + on_one_line(palette.name) + "\n#\n";
+    for (const NamedColour& named : palette.colours) {
+        for (const std::uint8_t channel : named.colour)
+            text += std::to_string(channel) + ' ';
+        text.back() = '\t';
+        text += on_one_line(named.name) + '\n';
+    }
+    return text;
 }
 
 const NamedColour* find_colour(const ColourPalette& palette, std::string_view name) {

@@ -1,4 +1,4 @@
-// Colour palettes of GIMP, Krita, Inkscape and others (.gpl).
+// Colour palettes of GIMP, Krita, Inkscape and others (.gpl), read and written.
 #pragma once
 
 #include "pigment/hex_colour.hpp"
@@ -24,6 +24,9 @@ struct ColourPalette {
 /// start of a line is skipped. `file` is the file's name for errors. Throws InputError that names line
 /// and value, and for a file without a colour.
 ColourPalette parse_gpl(std::string_view text, const std::string& file);
+
+/// The same palette as such a text. Line breaks and tabs in names become blanks.
+std::string gpl_text(const ColourPalette& palette);
 
 /// The first colour of that name, or nothing.
 const NamedColour* find_colour(const ColourPalette& palette, std::string_view name);

@@ -43,6 +43,21 @@ TEST(ColourModels, OklchIsAsPublished) {
     EXPECT_NEAR(red[2], 29.2, 0.1);
 }
 
+TEST(ColourModels, OklabGoesThereAndBack) {
+    const Channels red = oklab({255, 0, 0});
+    EXPECT_NEAR(red[0], 0.628, 5e-4);
+    EXPECT_NEAR(red[1], 0.2249, 5e-4);
+    EXPECT_NEAR(red[2], 0.1258, 5e-4);
+    EXPECT_EQ(colour_of_oklab(red), (Srgb8{255, 0, 0}));
+    EXPECT_EQ(colour_of_oklab(oklab({12, 200, 99})), (Srgb8{12, 200, 99}));
+}
+
+TEST(ColourModels, AnglesAreTurnedToTheFirstRound) {
+    EXPECT_EQ(turned_deg(-30.0), 330.0);
+    EXPECT_EQ(turned_deg(720.0), 0.0);
+    EXPECT_EQ(turned_deg(12.5), 12.5);
+}
+
 TEST(ColourModels, WhatLiesOutsideIsBroughtIn) {
     const Srgb8 colour = colour_from(ColourModel::Oklch, {60.0, 0.4, 150.0});
     EXPECT_GT(colour[1], colour[0]);

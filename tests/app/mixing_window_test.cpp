@@ -9,12 +9,16 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QStatusBar>
 #include <QTest>
 #include <QToolButton>
@@ -222,6 +226,140 @@ TEST_F(MixingWindow, APaletteGivesItsColoursAndABadOneIsTold) {
     EXPECT_EQ(paint()[0].pigment, "#c8963c");
 }
 
+TEST_F(MixingWindow, APaletteOfAPictureGivesRecipesOfTubesToo) {
+    const TemporaryFolder folder;
+    QImage image(40, 20, QImage::Format_RGB32);
+    image.fill(QColor(122, 92, 62));
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 40; ++x)
+            image.setPixelColor(x, y, QColor(40, 80, 160));
+    const QString file = QString::fromStdString((folder.path() / "lake.png").string());
+    ASSERT_TRUE(image.save(file));
+    parts().paints.open_picture(file, 5);
+    loaded();
+    auto* grid = window().findChild<QWidget*>(QStringLiteral("palette"));
+    const auto patches = grid->findChildren<QPushButton*>();
+    ASSERT_EQ(patches.size(), 2) << "it has no more";
+    click(*patches[1]);
+    EXPECT_EQ(paint()[0].pigment, "#7a5c3e");
+    find<QCheckBox>("palette_from_tubes").setChecked(true);
+    click(*patches[1]);
+    ASSERT_GE(paint().size(), 2U);
+    EXPECT_EQ(paint()[0].pigment.front(), 'P');
+    const document::PaintRecipe recipe = studio().easel().hand().paint;
+    click(find<QPushButton>("wanted_colour"));
+    click(find<QPushButton>("use_recipe"));
+    EXPECT_EQ(studio().easel().hand().paint, recipe) << "the one that the panel finds";
+}
+
+TEST_F(MixingWindow, ThePaletteIsSavedForOtherPrograms) {
+    const TemporaryFolder folder;
+    const QString file = QString::fromStdString((folder.path() / "mine.gpl").string());
+    EXPECT_FALSE(find<QPushButton>("save_palette").isEnabled());
+    type(QStringLiteral("#c03020"));
+    click(find<QPushButton>("keep_paint"));
+    EXPECT_TRUE(find<QPushButton>("save_palette").isEnabled());
+    parts().paints.save_palette(file);
+    EXPECT_EQ(core::read_text_file(file.toStdString()),
+              "GIMP Palette\nName: mine\n#\n192 48 32\t#c03020\n");
+    parts().paints.open_palette(file);
+    auto* grid = window().findChild<QWidget*>(QStringLiteral("palette"));
+    EXPECT_EQ(grid->findChildren<QPushButton*>().size(), 1);
+}
+
+// ---- mixes
+
+class Mixes : public MixingWindow {
+  protected:
+    QListWidget& list() { return find<QListWidget>("mixes"); }
+    void click_row(int row) {
+        const QPoint place = list().visualItemRect(list().item(row)).center();
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, place);
+        QApplication::processEvents();
+    }
+    /// In the list, where it is asked for.
+    void type_name(const char* name) {
+        auto* editor = list().findChild<QLineEdit*>();
+        ASSERT_NE(editor, nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, name);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QApplication::processEvents();
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    void keep_as(const char* name) {
+        click(find<QPushButton>("keep_mix"));
+        type_name(name);
+    }
+    const document::PaintRecipe sky_{{{"PB29", 1.0}, {"PW6", 8.0}}, 0.5};
+};
+
+TEST_F(Mixes, AreKeptUnderANameAndTakenInHandAgain) {
+    studio().choose_paint(sky_);
+    keep_as("my sky");
+    studio().choose_paint({{{"PR108", 1.0}}, 1.0});
+    ASSERT_EQ(list().count(), 1);
+    EXPECT_EQ(list().item(0)->text(), "my sky");
+    click_row(0);
+    EXPECT_EQ(studio().easel().hand().paint, sky_);
+    EXPECT_EQ(dipped(), sky_);
+}
+
+TEST_F(Mixes, HoldTubesWhereTheColourWasPicked) {
+    type(QStringLiteral("#7a5c3e"));
+    keep_as("mud");
+    click_row(0);
+    ASSERT_GE(paint().size(), 2U);
+    for (const document::Ingredient& part : paint())
+        EXPECT_EQ(part.pigment.front(), 'P');
+}
+
+TEST_F(Mixes, AreThereAtTheNextStart) {
+    studio().choose_paint(sky_);
+    keep_as("my sky");
+    start_again();
+    give(Command::ColourPanel);
+    ASSERT_EQ(list().count(), 1);
+    EXPECT_EQ(list().item(0)->text(), "my sky");
+    click_row(0);
+    EXPECT_EQ(studio().easel().hand().paint, sky_);
+}
+
+TEST_F(Mixes, AreRenamedAndTakenAway) {
+    keep_as("a");
+    keep_as("b");
+    list().setCurrentRow(1);
+    list().setFocus();
+    QTest::keyClick(&list(), Qt::Key_F2);
+    type_name("a");
+    EXPECT_EQ(list().item(1)->text(), "a 2") << "no two have one name";
+    list().setCurrentRow(0);
+    list().setFocus();
+    QTest::keyClick(&list(), Qt::Key_Delete);
+    ASSERT_EQ(list().count(), 1);
+    EXPECT_EQ(list().item(0)->text(), "a 2");
+    list().setCurrentRow(0);
+    click(find<QPushButton>("remove_mix"));
+    EXPECT_EQ(list().count(), 0);
+}
+
+TEST_F(Mixes, GoToAnotherPainterAsAFile) {
+    const TemporaryFolder folder;
+    const QString file = QString::fromStdString((folder.path() / "paints.json").string());
+    EXPECT_FALSE(find<QPushButton>("export_paints").isEnabled());
+    studio().choose_paint(sky_);
+    keep_as("my sky");
+    parts().paints.export_paints(file);
+    parts().paints.import_paints(file);
+    EXPECT_EQ(told(), "You have all paints of that set already.");
+    list().setCurrentRow(0);
+    click(find<QPushButton>("remove_mix"));
+    parts().paints.import_paints(file);
+    EXPECT_THAT(told(), HasSubstr("added to your own"));
+    ASSERT_EQ(list().count(), 1);
+    EXPECT_EQ(list().item(0)->text(), "my sky");
+}
+
 // ---- the eyedropper
 
 class Eyedropper : public MixingWindow {
@@ -387,6 +525,59 @@ TEST_F(Wheel, WhatIsSeenUnderThePointerIsWhatIsTaken) {
     EXPECT_NEAR((*taken)[0], seen.red(), 3);
     EXPECT_NEAR((*taken)[1], seen.green(), 3);
     EXPECT_NEAR((*taken)[2], seen.blue(), 3);
+}
+
+TEST_F(Wheel, AMarkTakesAHueOfTheHarmonyWhichStays) {
+    find<QComboBox>("harmony").setCurrentIndex(static_cast<int>(tools::Harmony::Triad));
+    Q_EMIT find<QComboBox>("harmony").activated(0);
+    type(QStringLiteral("#a06040"));
+    drag(wheel().ring_position(100.0), wheel().ring_position(40.0));
+    const double hue_deg = wheel().oklch()[2], lightness = wheel().oklch()[0];
+    EXPECT_NEAR(hue_deg, 40.0, 1.0);
+    const auto click_at = [this](double at_deg) {
+        QTest::mouseClick(&wheel(), Qt::LeftButton, {}, wheel().ring_position(at_deg).toPoint());
+    };
+    click_at(hue_deg + 121.0);
+    EXPECT_NEAR(wheel().oklch()[2], hue_deg + 120.0, 1e-9) << "the mark's own hue";
+    EXPECT_EQ(wheel().oklch()[0], lightness);
+    EXPECT_EQ(paint()[0].pigment.front(), '#') << "it is painted with";
+    click_at(hue_deg + 239.0);
+    EXPECT_NEAR(wheel().oklch()[2], hue_deg + 240.0, 1e-9);
+    click_at(hue_deg + 1.0);
+    EXPECT_NEAR(wheel().oklch()[2], hue_deg, 1e-9) << "and back to the first";
+    click_at(hue_deg + 60.0);
+    click_at(hue_deg + 181.0);
+    EXPECT_NEAR(wheel().oklch()[2], hue_deg + 180.0, 1.5) << "the harmony has turned with the ring";
+}
+
+TEST_F(Wheel, AGamutMaskHoldsWhatIsChosen) {
+    auto& shape = find<QComboBox>("mask_shape");
+    shape.setCurrentIndex(static_cast<int>(tools::MaskShape::Triad));
+    Q_EMIT shape.activated(shape.currentIndex());
+    type(QStringLiteral("#a06040"));
+    const double lightness = wheel().oklch()[0];
+    const auto click_disc = [this](const glm::dvec2& place) {
+        QTest::mouseClick(&wheel(), Qt::LeftButton, {}, wheel().disc_position(place).toPoint());
+        return tools::disc_place(wheel().oklch());
+    };
+    glm::dvec2 place = click_disc({0.3, 0.1});
+    EXPECT_NEAR(place.x, 0.3, 0.02);  // a pixel of the disc
+    EXPECT_NEAR(place.y, 0.1, 0.02);
+    place = click_disc({-0.9, 0.0});
+    EXPECT_NEAR(place.x, -0.5, 1e-6) << "the side opposite the first corner";
+    EXPECT_NEAR(place.y, 0.0, 0.02);
+    EXPECT_EQ(wheel().oklch()[0], lightness);
+    find<QSpinBox>("mask_turn").setValue(180);
+    place = click_disc({-0.9, 0.0});
+    EXPECT_NEAR(place.x, -0.9, 0.02) << "there is a corner now";
+}
+
+TEST_F(Wheel, TheAidsAreThereAtTheNextStart) {
+    auto& harmony = find<QComboBox>("harmony");
+    harmony.setCurrentIndex(static_cast<int>(tools::Harmony::Tetrad));
+    Q_EMIT harmony.activated(harmony.currentIndex());
+    start_again();
+    EXPECT_EQ(find<QComboBox>("harmony").currentIndex(), static_cast<int>(tools::Harmony::Tetrad));
 }
 
 }  // namespace

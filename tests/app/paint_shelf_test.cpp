@@ -38,11 +38,15 @@ TEST_F(PaintShelfTest, ComesBackAsItWasWritten) {
     note_recent({{{"PB29", 62.0}, {"PW6", 38.5}}, 0.4}, shelf);
     note_recent({}, shelf);
     keep_paint(tube("#c03020"), shelf);
+    keep_mix({"my sky", {{{"PB29", 1.0}, {"PW6", 8.0}}, 0.5}}, shelf);
+    shelf.aids = {Harmony::Triad, {MaskShape::Complementary, 45.0}};
     shelf.opened = {"Earths", {{"Umber \"raw\"", {120, 60, 20}}, {"", {200, 150, 60}}}};
     write_shelf(shelf, file());
     const PaintShelf back = read_shelf(file());
     EXPECT_EQ(back.recent, shelf.recent);
     EXPECT_EQ(back.kept, shelf.kept);
+    EXPECT_EQ(back.mixes, shelf.mixes);
+    EXPECT_EQ(back.aids, shelf.aids);
     EXPECT_EQ(back.opened.name, "Earths");
     ASSERT_EQ(back.opened.colours.size(), 2U);
     EXPECT_EQ(back.opened.colours[0].name, "Umber \"raw\"");
@@ -78,6 +82,44 @@ TEST_F(PaintShelfTest, APaintIsKeptOnceWhileThereIsRoom) {
     EXPECT_FALSE(keep_paint(tube("PR108"), shelf));
 }
 
+TEST_F(PaintShelfTest, MixesHaveNamesOfTheirOwn) {
+    PaintShelf shelf;
+    EXPECT_TRUE(keep_mix({"my sky", tube("PB29")}, shelf));
+    EXPECT_TRUE(keep_mix({"my sky", tube("PW6")}, shelf));
+    EXPECT_FALSE(keep_mix({" ", tube("PW6")}, shelf));
+    ASSERT_EQ(shelf.mixes.size(), 2U);
+    EXPECT_EQ(shelf.mixes[1].name, "my sky 2");
+    EXPECT_TRUE(rename_mix(1, "my sky 2", shelf)) << "its own name is free";
+    EXPECT_EQ(shelf.mixes[1].name, "my sky 2");
+    EXPECT_TRUE(rename_mix(1, "my sky", shelf));
+    EXPECT_EQ(shelf.mixes[1].name, "my sky 2");
+    EXPECT_FALSE(rename_mix(0, "", shelf));
+    EXPECT_EQ(shelf.mixes[0].name, "my sky");
+    while (shelf.mixes.size() < kMostMixes)
+        EXPECT_TRUE(keep_mix({"mud", tube("PBk9")}, shelf));
+    EXPECT_FALSE(keep_mix({"one more", tube("PBk9")}, shelf));
+}
+
+TEST_F(PaintShelfTest, ASetIsAddedToAnotherPaintersShelf) {
+    PaintShelf mine, theirs;
+    note_recent(tube("PB29"), mine);
+    keep_paint(tube("PR108"), mine);
+    keep_mix({"my sky", tube("PB29")}, mine);
+    keep_mix({"mud", tube("PBk9")}, mine);
+    keep_paint(tube("PR108"), theirs);
+    keep_mix({"mud", tube("PBr7")}, theirs);
+    write_shelf(paint_set(mine), file());
+    const PaintShelf set = read_shelf(file());
+    EXPECT_TRUE(set.recent.empty()) << "what was used last is nobody else's";
+    EXPECT_EQ(add_paint_set(set, theirs), 2);
+    EXPECT_EQ(theirs.kept.size(), 1U);
+    ASSERT_EQ(theirs.mixes.size(), 3U);
+    EXPECT_EQ(theirs.mixes[1], mine.mixes[0]);
+    EXPECT_EQ(theirs.mixes[2].name, "mud 2");
+    EXPECT_EQ(theirs.mixes[2].paint, tube("PBk9"));
+    EXPECT_EQ(add_paint_set(set, mine), 0) << "they are there already";
+}
+
 TEST_F(PaintShelfTest, FaultsAreToldWithTheirPlace) {
     const std::string name = file().string();
     EXPECT_THAT(fault_of("{\"version\": 1,\n\"recent\": [}"), HasSubstr(name + ", line 2: "));
@@ -87,6 +129,15 @@ TEST_F(PaintShelfTest, FaultsAreToldWithTheirPlace) {
         name + ", kept[0]: the number of parts of PB29 is 0, but must lie between 1e-06 and 1e+06.");
     EXPECT_THAT(fault_of("{\"version\": 1, \"recent\": [{\"mix\": [[\"PX1\", 1]]}], \"kept\": []}"),
                 HasSubstr(name + ", recent[0]: "));
+    const auto with = [](const char* entry) {
+        return std::string("{\"version\": 1, \"recent\": [], \"kept\": [], ") + entry + "}";
+    };
+    EXPECT_EQ(fault_of(with("\"mixes\": [{\"name\": \"\", \"paint\": {\"mix\": []}}]")),
+              name + ", mixes[0].name: a mix needs a name.");
+    EXPECT_THAT(fault_of(with("\"mixes\": [{\"name\": \"a\", \"paint\": {\"mix\": [[\"PX1\", 1]]}}]")),
+                HasSubstr(name + ", mixes[0].paint: "));
+    EXPECT_THAT(fault_of(with("\"aids\": {\"harmony\": \"loud\", \"mask\": \"none\", \"turn_deg\": 0}")),
+                HasSubstr(name + ", aids.harmony: \"loud\" is not one of none, complementary, "));
     EXPECT_EQ(fault_of("{\"version\": 2}"), name + ", version: 2 is not between 1 and 1.");
     EXPECT_EQ(fault_of("{\"version\": 1, \"recent\": [], \"kept\": [], \"opened\": {\"name\": \"x\", "
                        "\"colours\": [[\"red\", \"x\"]]}}"),

@@ -10,4 +10,10 @@ TEST(LowerCase, ChangesTheLettersAToZAlone) {
     EXPECT_EQ(pastoso::core::lower_case(""), "");
 }
 
+TEST(Blank, IsWhatNobodySees) {
+    EXPECT_TRUE(pastoso::core::is_blank(""));
+    EXPECT_TRUE(pastoso::core::is_blank(" \t "));
+    EXPECT_FALSE(pastoso::core::is_blank(" a "));
+}
+
 }  // namespace

@@ -41,6 +41,23 @@ TEST(Gpl, FindsAColourByItsName) {
     EXPECT_EQ(find_colour(palette, "Dark skin"), nullptr);
 }
 
+TEST(Gpl, IsWrittenAsOthersReadIt) {
+    const ColourPalette palette{"Sky", {{"my sky", {10, 20, 255}}, {"", {0, 0, 0}}}};
+    EXPECT_EQ(gpl_text(palette), "GIMP Palette\nName: Sky\n#\n10 20 255\tmy sky\n0 0 0\t\n");
+}
+
+TEST(Gpl, ComesBackAsItWasWritten) {
+    const ColourPalette palette{"My \"paints\"\n",
+                                {{"8 white\n+ 1 blue", {1, 2, 3}}, {"# 2: red", {255, 0, 9}}}};
+    const ColourPalette back = parse_gpl(gpl_text(palette), "p.gpl");
+    EXPECT_EQ(back.name, "My \"paints\"");
+    ASSERT_EQ(back.colours.size(), 2U);
+    EXPECT_EQ(back.colours[0].name, "8 white + 1 blue");
+    EXPECT_EQ(back.colours[0].colour, (Srgb8{1, 2, 3}));
+    EXPECT_EQ(back.colours[1].name, "# 2: red");
+    EXPECT_EQ(back.colours[1].colour, (Srgb8{255, 0, 9}));
+}
+
 TEST(Gpl, NamesTheLineOfAFault) {
     EXPECT_THAT(failure(""), HasSubstr("p.gpl, line 1: this is not a GIMP palette"));
     EXPECT_THAT(failure("JASC-PAL\n0100\n"), HasSubstr("p.gpl, line 1: this is not a GIMP palette"));

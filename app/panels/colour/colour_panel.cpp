@@ -1,6 +1,8 @@
 #include "panels/colour/colour_panel.hpp"
 
 #include "panels/colour/colour_picker.hpp"
+#include "panels/colour/mixes_part.hpp"
+#include "panels/colour/opened_palette.hpp"
 #include "panels/paint/paint_swatch.hpp"
 #include "panels/paint/paint_words.hpp"
 #include "panels/paint/swatch_colours.hpp"
@@ -31,15 +33,21 @@ ColourPanel::ColourPanel(const std::vector<QAction*>& picks, QWidget* parent) : 
     column->addWidget(picker_);
     column->addWidget(button_row(picks));
     column->addWidget(kept_part());
+    column->addWidget(mixes_part());
     column->addWidget(recent_part());
     column->addWidget(palette_part());
     column->addStretch(1);
     connect(picker_, &ColourPicker::looked_at, this, &ColourPanel::show_colour);
     connect(picker_, &ColourPicker::chosen, this,
             [this](const pigment::Srgb8& colour) { Q_EMIT paint_chosen(tools::colour_paint(colour)); });
+    connect(picker_, &ColourPicker::aids_changed, this, [this] {
+        shelf_.aids = picker_->aids();
+        Q_EMIT shelf_changed();
+    });
     connect(picker_, &ColourPicker::refused, this, &ColourPanel::refused);
     show_colour(picker_->colour());
     show_kept();
+    show_mixes();
 }
 
 QWidget* ColourPanel::recipe_part() {
@@ -92,16 +100,23 @@ QWidget* ColourPanel::kept_part() {
     auto* column = section(part, tr("Your palette"));
     kept_hint_ = new QLabel(tr("Paints that you keep stay here."));
     kept_hint_->setObjectName(QStringLiteral("reading"));
+    kept_hint_->setWordWrap(true);
     auto* keep = new QPushButton(tr("Keep"));
     keep->setObjectName(QStringLiteral("keep_paint"));
     keep->setToolTip(tr("Lay the paint in hand out on your palette"));
     keep_keys_for_canvas(keep);
+    save_ = new QPushButton(tr("Save..."));
+    save_->setObjectName(QStringLiteral("save_palette"));
+    save_->setToolTip(tr("The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file"));
+    keep_keys_for_canvas(save_);
+    connect(save_, &QPushButton::clicked, this, &ColourPanel::palette_save_wanted);
     auto* row = new QHBoxLayout;
-    row->addWidget(kept_hint_, 1);
-    row->addWidget(keep);
+    row->addWidget(keep, 1);
+    row->addWidget(save_, 1);
     kept_grid_ = new SwatchGrid(kColumns);
     kept_grid_->setObjectName(QStringLiteral("kept_paints"));
     column->addWidget(kept_grid_);
+    column->addWidget(kept_hint_);
     column->addLayout(row);
     connect(keep, &QPushButton::clicked, this, &ColourPanel::keep_paint_in_hand);
     connect(kept_grid_, &SwatchGrid::removal_wanted, this, &ColourPanel::remove_kept);
@@ -112,28 +127,35 @@ QWidget* ColourPanel::kept_part() {
     return part;
 }
 
-QWidget* ColourPanel::palette_part() {
-    auto* part = new QWidget;
-    auto* column = section(part, tr("From a file"));
-    palette_name_ = new QLabel(tr("none opened"));
-    palette_name_->setObjectName(QStringLiteral("reading"));
-    auto* open = new QPushButton(tr("Open..."));
-    open->setObjectName(QStringLiteral("open_palette"));
-    open->setToolTip(tr("Colours of GIMP, Krita or Inkscape, from a .gpl file"));
-    keep_keys_for_canvas(open);
-    auto* row = new QHBoxLayout;
-    row->addWidget(palette_name_, 1);
-    row->addWidget(open);
-    palette_grid_ = new SwatchGrid(kColumns);
-    palette_grid_->setObjectName(QStringLiteral("palette"));
-    column->addLayout(row);
-    column->addWidget(palette_grid_);
-    connect(open, &QPushButton::clicked, this, &ColourPanel::palette_wanted);
-    connect(palette_grid_, &SwatchGrid::patch_clicked, this, [this](int index) {
-        Q_EMIT paint_chosen(
-            tools::colour_paint(shelf_.opened.colours.at(static_cast<std::size_t>(index)).colour));
+QWidget* ColourPanel::mixes_part() {
+    mixes_ = new MixesPart;
+    connect(mixes_, &MixesPart::keep_wanted, this, &ColourPanel::keep_mix_in_hand);
+    connect(mixes_, &MixesPart::export_wanted, this, &ColourPanel::export_wanted);
+    connect(mixes_, &MixesPart::import_wanted, this, &ColourPanel::import_wanted);
+    connect(mixes_, &MixesPart::taken, this, [this](int index) {
+        const document::PaintRecipe paint = shelf_.mixes.at(static_cast<std::size_t>(index)).paint;
+        Q_EMIT paint_chosen(paint);
     });
-    return part;
+    connect(mixes_, &MixesPart::removal_wanted, this, [this](int index) {
+        shelf_.mixes.erase(shelf_.mixes.begin() + index);
+        show_mixes();
+        Q_EMIT shelf_changed();
+    });
+    connect(mixes_, &MixesPart::renamed, this, [this](int index, const QString& name) {
+        tools::rename_mix(static_cast<std::size_t>(index), name.trimmed().toStdString(), shelf_);
+        Q_EMIT shelf_changed();
+        // Later: the list is still busy with the name.
+        QMetaObject::invokeMethod(this, &ColourPanel::show_mixes, Qt::QueuedConnection);
+    });
+    return mixes_;
+}
+
+QWidget* ColourPanel::palette_part() {
+    opened_ = new OpenedPalette;
+    connect(opened_, &OpenedPalette::file_wanted, this, &ColourPanel::palette_wanted);
+    connect(opened_, &OpenedPalette::picture_wanted, this, &ColourPanel::picture_wanted);
+    connect(opened_, &OpenedPalette::paint_chosen, this, &ColourPanel::paint_chosen);
+    return opened_;
 }
 
 void ColourPanel::show_colour(const pigment::Srgb8& colour) {
@@ -190,7 +212,8 @@ void ColourPanel::show_swatches(const tools::SwatchView& view) {
     show_nearest_paint();
     show_recent();
     show_kept();
-    show_opened();
+    show_mixes();
+    opened_->show_swatches(view);
 }
 
 // ---- the shelf
@@ -206,9 +229,19 @@ std::vector<SwatchGrid::Patch> ColourPanel::patches_of(const std::vector<documen
 
 void ColourPanel::show_shelf(const tools::PaintShelf& shelf) {
     shelf_ = shelf;
+    picker_->show_aids(shelf.aids);
     show_recent();
     show_kept();
-    show_opened();
+    show_mixes();
+    opened_->show_palette(shelf.opened);
+}
+
+int ColourPanel::add_paints(const tools::PaintShelf& set) {
+    const int added = tools::add_paint_set(set, shelf_);
+    show_kept();
+    show_mixes();
+    if (added > 0) Q_EMIT shelf_changed();
+    return added;
 }
 
 void ColourPanel::keep_paint_in_hand() {
@@ -216,6 +249,16 @@ void ColourPanel::keep_paint_in_hand() {
         return void(Q_EMIT refused(tr("Your palette is full: the right button takes a paint away.")));
     show_kept();
     Q_EMIT shelf_changed();
+}
+
+/// Its name is that of its tubes until the painter has typed another.
+void ColourPanel::keep_mix_in_hand() {
+    const document::PaintRecipe paint = tools::from_tubes(in_hand_);
+    if (!tools::keep_mix({recipe_words(paint).toStdString(), paint}, shelf_))
+        return void(Q_EMIT refused(tr("There is no room for more mixes; take one away first.")));
+    show_mixes();
+    Q_EMIT shelf_changed();
+    mixes_->ask_name(static_cast<int>(shelf_.mixes.size()) - 1);
 }
 
 void ColourPanel::remove_kept(int index) {
@@ -226,7 +269,7 @@ void ColourPanel::remove_kept(int index) {
 
 void ColourPanel::show_palette(const pigment::ColourPalette& palette) {
     shelf_.opened = palette;
-    show_opened();
+    opened_->show_palette(palette);
     Q_EMIT shelf_changed();
 }
 
@@ -238,20 +281,19 @@ void ColourPanel::show_kept() {
     kept_grid_->show_patches(
         patches_of(shelf_.kept, tr("%1\nThe right button, or Delete, takes it away.")));
     kept_grid_->setVisible(!shelf_.kept.empty());
+    allow_saving();
     kept_hint_->setVisible(shelf_.kept.empty());
 }
 
-void ColourPanel::show_opened() {
-    const pigment::ColourPalette& palette = shelf_.opened;
-    if (!palette.name.empty()) palette_name_->setText(QString::fromStdString(palette.name));
-    std::vector<SwatchGrid::Patch> patches;
-    for (const pigment::NamedColour& named : palette.colours) {
-        const QString hex = QString::fromStdString(pigment::hex_colour(named.colour));
-        const QString name = QString::fromStdString(named.name);
-        patches.push_back({shown_colour(tools::colour_paint(named.colour), view_),
-                           name.isEmpty() ? hex : name + ' ' + hex});
-    }
-    palette_grid_->show_patches(patches);
+void ColourPanel::show_mixes() {
+    mixes_->show_mixes(shelf_.mixes, view_);
+    allow_saving();
+}
+
+void ColourPanel::allow_saving() {
+    const bool any = !shelf_.kept.empty() || !shelf_.mixes.empty();
+    save_->setEnabled(any);
+    mixes_->allow_export(any);
 }
 
 }  // namespace pastoso::panels

@@ -19,6 +19,8 @@ class QPushButton;
 namespace pastoso::panels {
 
 class ColourPicker;
+class MixesPart;
+class OpenedPalette;
 class PaintSwatch;
 
 class ColourPanel : public QWidget {
@@ -36,6 +38,9 @@ class ColourPanel : public QWidget {
     /// Shows the colours of a palette to choose from.
     void show_palette(const pigment::ColourPalette& palette);
 
+    /// Adds the palette and the mixes of another painter, with a signal. How many paints are new.
+    int add_paints(const tools::PaintShelf& set);
+
     const tools::PaintShelf& shelf() const { return shelf_; }
 
     /// Shows the paints of an earlier session, without a signal.
@@ -44,6 +49,10 @@ class ColourPanel : public QWidget {
   Q_SIGNALS:
     void paint_chosen(const document::PaintRecipe& paint);
     void palette_wanted();
+    void picture_wanted(int colours);  ///< whose palette has so many
+    void palette_save_wanted();
+    void export_wanted();
+    void import_wanted();
     void shelf_changed();
     void refused(const QString& sentence);
 
@@ -51,6 +60,7 @@ class ColourPanel : public QWidget {
     QWidget* recipe_part();
     QWidget* recent_part();
     QWidget* kept_part();
+    QWidget* mixes_part();
     QWidget* palette_part();
     void show_colour(const pigment::Srgb8& colour);
     void show_wanted();
@@ -59,10 +69,12 @@ class ColourPanel : public QWidget {
     std::vector<SwatchGrid::Patch> patches_of(const std::vector<document::PaintRecipe>& paints,
                                               const QString& words) const;
     void keep_paint_in_hand();
+    void keep_mix_in_hand();
     void remove_kept(int index);
     void show_recent();
     void show_kept();
-    void show_opened();
+    void show_mixes();
+    void allow_saving();
 
     document::PaintRecipe in_hand_;
     pigment::Srgb8 wanted_colour_{};
@@ -78,8 +90,9 @@ class ColourPanel : public QWidget {
     SwatchGrid* recent_grid_ = nullptr;
     SwatchGrid* kept_grid_ = nullptr;
     QLabel* kept_hint_ = nullptr;
-    SwatchGrid* palette_grid_ = nullptr;
-    QLabel* palette_name_ = nullptr;
+    QPushButton* save_ = nullptr;
+    MixesPart* mixes_ = nullptr;
+    OpenedPalette* opened_ = nullptr;
 };
 
 }  // namespace pastoso::panels

@@ -1,5 +1,6 @@
 #include "panels/colour/colour_picker.hpp"
 
+#include "panels/colour/aids_part.hpp"
 #include "panels/colour/channel_slider.hpp"
 #include "panels/colour/colour_wheel.hpp"
 #include "panels/parts/section.hpp"
@@ -32,13 +33,18 @@ QColor qcolor(const pigment::Srgb8& rgb) {
 }  // namespace
 
 ColourPicker::ColourPicker(QWidget* nearest, QWidget* parent)
-    : QWidget(parent), wheel_(new ColourWheel), models_(new QButtonGroup(this)) {
+    : QWidget(parent), wheel_(new ColourWheel), aids_(new AidsPart), models_(new QButtonGroup(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(wheel_);
     column->addWidget(nearest);
     column->addWidget(models_row());
     column->addWidget(channel_rows());
+    column->addWidget(aids_);
+    connect(aids_, &AidsPart::changed, this, [this](const tools::ColourAids& aids) {
+        wheel_->show_aids(aids);
+        Q_EMIT aids_changed();
+    });
     connect(wheel_, &ColourWheel::moved, this, &ColourPicker::take_wheel);
     connect(wheel_, &ColourWheel::released, this, [this] { Q_EMIT chosen(colour_); });
     use_model(model_);
@@ -148,6 +154,15 @@ void ColourPicker::show_colour(const pigment::Srgb8& colour) {
     channels_ = tools::channels_from(model_, colour);
     write_rows();
     Q_EMIT looked_at(colour_);
+}
+
+const tools::ColourAids& ColourPicker::aids() const {
+    return aids_->aids();
+}
+
+void ColourPicker::show_aids(const tools::ColourAids& aids) {
+    aids_->show_aids(aids);
+    wheel_->show_aids(aids);
 }
 
 void ColourPicker::take_typed_colour() {

@@ -1,7 +1,7 @@
 // Chooses a colour on a wheel, by red, green and blue, by hue, saturation and value, or by Oklch.
 #pragma once
 
-#include "tools/colour_models.hpp"
+#include "tools/colour_aids.hpp"
 
 #include <array>
 
@@ -14,6 +14,7 @@ class QLineEdit;
 
 namespace pastoso::panels {
 
+class AidsPart;
 class ChannelSlider;
 class ColourWheel;
 
@@ -28,10 +29,14 @@ class ColourPicker : public QWidget {
     /// Without a signal.
     void show_colour(const pigment::Srgb8& colour);
 
+    const tools::ColourAids& aids() const;
+    void show_aids(const tools::ColourAids& aids);
+
   Q_SIGNALS:
     void looked_at(const pigment::Srgb8& colour);  ///< while a slider is being dragged, too
     void chosen(const pigment::Srgb8& colour);     ///< once it is let go
     void refused(const QString& sentence);         ///< what was typed is no colour
+    void aids_changed();
 
   private:
     struct Row {
@@ -54,6 +59,7 @@ class ColourPicker : public QWidget {
     tools::Channels channels_{};
     pigment::Srgb8 colour_{};
     ColourWheel* wheel_ = nullptr;
+    AidsPart* aids_ = nullptr;
     QButtonGroup* models_ = nullptr;
     std::array<Row, 3> rows_;
     QLineEdit* hex_ = nullptr;

@@ -3,6 +3,7 @@
 #include "appearance/said_value.hpp"
 #include "appearance/screen_colours.hpp"
 #include "core/units.hpp"
+#include "panels/colour/wheel_marks.hpp"
 #include "panels/colour/wheel_picture.hpp"
 #include "panels/parts/section.hpp"
 
@@ -13,41 +14,24 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QWheelEvent>
 
 namespace pastoso::panels {
 namespace {
 
 /// In units of the window.
-constexpr double kRingWidth = 17.0, kMargin = 3.0, kGap = 5.0, kMarkRadius = 5.0;
+constexpr double kRingWidth = 17.0, kMargin = 3.0, kGap = 5.0;
 
 /// What a key moves by.
 constexpr double kHueStep_deg = 5.0, kLightnessStep = 2.0, kChromaStep = 0.01;
 constexpr double kFine = 0.2;
 
-double turn_deg(double angle_deg) {
-    return angle_deg - 360.0 * std::floor(angle_deg / 360.0);
-}
-
-/// A ring that is seen on any colour.
-void paint_mark(QPainter& painter, const QPointF& place, const QColor& colour) {
-    painter.setBrush(appearance::shown(colour));
-    painter.setPen(QPen(QColor(20, 20, 22), 3.0));
-    painter.drawEllipse(place, kMarkRadius, kMarkRadius);
-    painter.setPen(QPen(QColor(240, 240, 240), 1.5));
-    painter.drawEllipse(place, kMarkRadius, kMarkRadius);
-}
-
-QColor qcolor(const tools::Channels& oklch) {
-    const pigment::Srgb8 rgb = tools::colour_from(tools::ColourModel::Oklch, oklch);
-    return {rgb[0], rgb[1], rgb[2]};
-}
-
 }  // namespace
 
 ColourWheel::ColourWheel(QWidget* parent) : QWidget(parent) {
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
-            [this] { ring_ = field_ = {}; });
+            [this] { ring_ = field_ = disc_ = {}; });
     setObjectName(QStringLiteral("colour_wheel"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     appearance::say_as(*this, QAccessible::ColorChooser);
@@ -64,11 +48,25 @@ void ColourWheel::show_colour(const tools::Channels& oklch) {
     const double hue_deg = oklch_[2];
     oklch_ = oklch;
     if (oklch[1] == 0.0) oklch_[2] = hue_deg;
+    if (!tools::in_harmony(aids_.harmony, harmony_deg_, oklch_[2])) turn_harmony(oklch_[2]);
     appearance::say_value(*this, tr("Lightness %1 %, chroma %2, hue %3\u00b0")
                                      .arg(oklch_[0], 0, 'f', 0)
                                      .arg(oklch_[1], 0, 'f', 2)
                                      .arg(oklch_[2], 0, 'f', 0));
     update();
+}
+
+void ColourWheel::show_aids(const tools::ColourAids& aids) {
+    const bool other_harmony = aids.harmony != aids_.harmony;
+    aids_ = aids;
+    if (other_harmony) turn_harmony(oklch_[2]);
+    update();
+}
+
+void ColourWheel::turn_harmony(double hue_deg) {
+    harmony_deg_ = hue_deg;
+    marks_deg_ = tools::harmony_hues(aids_.harmony, hue_deg);
+    if (!marks_deg_.empty()) marks_deg_.push_back(hue_deg);
 }
 
 // ---- places
@@ -85,6 +83,7 @@ ColourWheel::Measures ColourWheel::measures() const {
     all.field_side = static_cast<int>((all.inner - kGap * all.ratio) * std::numbers::sqrt2);
     all.field_left = all.left + (all.side - all.field_side) / 2;
     all.field_top = all.top + (all.side - all.field_side) / 2;
+    all.disc = all.inner - kGap * all.ratio;
     return all;
 }
 
@@ -103,40 +102,74 @@ QPointF ColourWheel::field_position(double lightness, double chroma) const {
            all.ratio;
 }
 
+QPointF ColourWheel::disc_position(const glm::dvec2& place) const {
+    const Measures all = measures();
+    return QPointF(all.left + 0.5 * all.side + all.disc * place.x,
+                   all.top + 0.5 * all.side - all.disc * place.y) /
+           all.ratio;
+}
+
+const double* ColourWheel::mark_at(const QPointF& position) const {
+    for (const double& hue_deg : marks_deg_) {
+        const QPointF way = position - ring_position(hue_deg);
+        if (std::hypot(way.x(), way.y()) <= kHueMark_px + 1.0 &&
+            !tools::in_harmony({}, hue_deg, oklch_[2]))
+            return &hue_deg;
+    }
+    return nullptr;
+}
+
+ColourWheel::Drag ColourWheel::place_of(const QPointF& position) const {
+    if (mark_at(position) != nullptr) return Drag::Mark;
+    const Measures all = measures();
+    const QPointF at = position * all.ratio;
+    const double radius =
+        std::hypot(at.x() - all.left - 0.5 * all.side, at.y() - all.top - 0.5 * all.side);
+    if (radius > all.disc) return Drag::Ring;
+    return has_mask() ? Drag::Disc : Drag::Field;
+}
+
 // ---- changes
 
-/// A colour beyond sRGB is brought to its edge at that lightness.
+/// A colour beyond sRGB is brought to its edge at that lightness, one beyond the mask to the mask's.
 void ColourWheel::move_to(tools::Channels oklch) {
     oklch[0] = std::clamp(oklch[0], 0.0, 100.0);
-    oklch[2] = turn_deg(oklch[2]);
+    oklch[2] = tools::turned_deg(oklch[2]);
     oklch[1] = std::clamp(oklch[1], 0.0, tools::most_chroma(oklch[0], oklch[2]));
+    oklch = tools::held_in_mask(aids_.mask, oklch);
     const bool same = oklch == oklch_;
     show_colour(oklch);
     if (!same) Q_EMIT moved(oklch_);
 }
 
+/// A harmony turns with the hue, but for a mark, which is one of its own hues.
 void ColourWheel::drag_to(const QPointF& position) {
     const Measures all = measures();
     const QPointF at = position * all.ratio;
-    if (drag_ == Drag::Ring) {
-        const double right = at.x() - all.left - 0.5 * all.side, up = all.top + 0.5 * all.side - at.y();
-        move_to({oklch_[0], pressed_chroma_, core::degrees(std::atan2(up, right))});
-    } else if (drag_ == Drag::Field) {
+    const double right = at.x() - all.left - 0.5 * all.side, up = all.top + 0.5 * all.side - at.y();
+    if (drag_ == Drag::Field) {
         const double chroma = kFieldChroma * (at.x() - all.field_left) / all.field_side;
         const double lightness = 100.0 * (1.0 - (at.y() - all.field_top) / all.field_side);
-        move_to({lightness, chroma, oklch_[2]});
+        return move_to({lightness, chroma, oklch_[2]});
     }
+    if (drag_ == Drag::Ring)
+        move_to({oklch_[0], pressed_chroma_, core::degrees(std::atan2(up, right))});
+    else if (drag_ == Drag::Disc)
+        move_to(tools::colour_on_disc(oklch_[0], glm::dvec2(right, up) / all.disc, oklch_[2]));
+    else
+        return;
+    turn_harmony(oklch_[2]);
+    update();
 }
 
 void ColourWheel::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
-    const Measures all = measures();
-    const QPointF at = event->position() * all.ratio;
-    const double radius =
-        std::hypot(at.x() - all.left - 0.5 * all.side, at.y() - all.top - 0.5 * all.side);
-    drag_ = radius > all.inner - kGap * all.ratio ? Drag::Ring : Drag::Field;
+    drag_ = place_of(event->position());
     pressed_chroma_ = oklch_[1];
-    drag_to(event->position());
+    if (const double* mark = mark_at(event->position()))
+        move_to({oklch_[0], pressed_chroma_, *mark});
+    else
+        drag_to(event->position());
 }
 
 void ColourWheel::mouseMoveEvent(QMouseEvent* event) {
@@ -192,6 +225,13 @@ void ColourWheel::draw_pictures() {
         ring_ = appearance::shown(hue_ring(all.side, all.inner, all.outer));
         ring_.setDevicePixelRatio(all.ratio);
     }
+    if (has_mask()) {
+        if (disc_.width() == all.side && disc_lightness_ == oklch_[0]) return;
+        disc_ = appearance::shown(hue_disc(all.side, all.disc, oklch_[0]));
+        disc_.setDevicePixelRatio(all.ratio);
+        disc_lightness_ = oklch_[0];
+        return;
+    }
     if (field_.width() == all.field_side && field_hue_deg_ == oklch_[2]) return;
     field_ = appearance::shown(colour_field(all.field_side, oklch_[2]));
     field_.setDevicePixelRatio(all.ratio);
@@ -211,12 +251,8 @@ void ColourWheel::paint_boundary(QPainter& painter) const {
     painter.drawPolyline(line);
 }
 
-void ColourWheel::paintEvent(QPaintEvent*) {
-    draw_pictures();
+void ColourWheel::paint_field(QPainter& painter) const {
     const Measures all = measures();
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.drawImage(QPointF(all.left, all.top) / all.ratio, ring_);
     const QRectF field(QPointF(all.field_left, all.field_top) / all.ratio,
                        QSizeF(all.field_side, all.field_side) / all.ratio);
     painter.setPen(hasFocus() ? QPen(palette().highlight(), 1.0) : QPen(QColor(0, 0, 0, 140), 1.0));
@@ -224,8 +260,41 @@ void ColourWheel::paintEvent(QPaintEvent*) {
     painter.drawRect(field.adjusted(-0.5, -0.5, 0.5, 0.5));
     painter.drawImage(field.topLeft(), field_);
     paint_boundary(painter);
-    paint_mark(painter, ring_position(oklch_[2]), qcolor({kRingLightness, kRingChroma, oklch_[2]}));
-    paint_mark(painter, field_position(oklch_[0], oklch_[1]), qcolor(oklch_));
+    paint_mark(painter, field_position(oklch_[0], oklch_[1]), mark_colour(oklch_));
+}
+
+/// Beyond the mask it is faint.
+void ColourWheel::paint_disc(QPainter& painter) const {
+    const Measures all = measures();
+    painter.drawImage(QPointF(all.left, all.top) / all.ratio, disc_);
+    QPolygonF outline;
+    for (const glm::dvec2& corner : tools::mask_outline(aids_.mask))
+        outline << disc_position(corner);
+    QPainterPath inside, beyond;
+    inside.addPolygon(outline);
+    inside.closeSubpath();
+    const double radius = all.disc / all.ratio + 0.5;
+    beyond.addEllipse(disc_position({0.0, 0.0}), radius, radius);
+    QColor veil = palette().color(QPalette::Window);
+    veil.setAlphaF(0.8F);
+    painter.fillPath(beyond.subtracted(inside), veil);
+    painter.strokePath(inside, QPen(QColor(20, 20, 22), 2.5));
+    painter.strokePath(inside,
+                       hasFocus() ? QPen(palette().highlight(), 1.2) : QPen(QColor(240, 240, 240), 1.2));
+    paint_mark(painter, disc_position(tools::disc_place(oklch_)), mark_colour(oklch_));
+}
+
+void ColourWheel::paintEvent(QPaintEvent*) {
+    draw_pictures();
+    const Measures all = measures();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawImage(QPointF(all.left, all.top) / all.ratio, ring_);
+    has_mask() ? paint_disc(painter) : paint_field(painter);
+    for (const double hue_deg : marks_deg_)
+        paint_hue_mark(painter, ring_position(hue_deg),
+                       mark_colour({kRingLightness, kRingChroma, hue_deg}));
+    paint_mark(painter, ring_position(oklch_[2]), mark_colour({kRingLightness, kRingChroma, oklch_[2]}));
 }
 
 }  // namespace pastoso::panels

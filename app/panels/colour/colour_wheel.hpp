@@ -1,14 +1,18 @@
 // A ring of hues with the lightness and chroma of the chosen hue inside it.
 #pragma once
 
-#include "tools/colour_models.hpp"
+#include "tools/colour_aids.hpp"
+
+#include <vector>
 
 #include <QImage>
 #include <QWidget>
 
 namespace pastoso::panels {
 
-/// Drag along the ring or in the field, up to where sRGB ends. Keys: arrows for chroma and lightness,
+/// Drag along the ring or in the field, up to where sRGB ends. With a gamut mask all colours of the
+/// present lightness are on a disc in the field's place, and what is chosen is held to the mask. Marks
+/// on the ring, which a click takes, are the hues of a harmony. Keys: arrows for chroma and lightness,
 /// Page Up and Page Down for the hue, with Ctrl finely. Drawn pixel by pixel of the screen.
 class ColourWheel : public QWidget {
     Q_OBJECT
@@ -20,11 +24,16 @@ class ColourWheel : public QWidget {
     /// Without a signal. A grey keeps the hue that was shown.
     void show_colour(const tools::Channels& oklch);
 
+    /// The colour stays until it is moved.
+    void show_aids(const tools::ColourAids& aids);
+
     bool dragging() const { return drag_ != Drag::None; }
 
     /// Where a hue lies on the ring and a colour of the present hue in the field.
     QPointF ring_position(double hue_deg) const;
     QPointF field_position(double lightness, double chroma) const;
+    /// Where a place of the disc (tools::disc_place()) lies.
+    QPointF disc_position(const glm::dvec2& place) const;
 
     QSize sizeHint() const override { return {176, 176}; }
     QSize minimumSizeHint() const override { return {160, 160}; }
@@ -42,7 +51,7 @@ class ColourWheel : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Drag { None, Ring, Field };
+    enum class Drag { None, Ring, Field, Disc, Mark };
 
     /// In pixels of the screen, from the widget's corner.
     struct Measures {
@@ -50,18 +59,28 @@ class ColourWheel : public QWidget {
         int left, top, side;
         double inner, outer;
         int field_left, field_top, field_side;
+        double disc;  ///< its radius
     };
     Measures measures() const;
+    Drag place_of(const QPointF& position) const;
+    const double* mark_at(const QPointF& position) const;
     void drag_to(const QPointF& position);
     void move_to(tools::Channels oklch);
+    void turn_harmony(double hue_deg);
+    bool has_mask() const { return aids_.mask.shape != tools::MaskShape::None; }
+    void paint_field(QPainter& painter) const;
     void paint_boundary(QPainter& painter) const;
+    void paint_disc(QPainter& painter) const;
     void draw_pictures();
 
     tools::Channels oklch_{};
     Drag drag_ = Drag::None;
     double pressed_chroma_ = 0.0;  ///< comes back where the ring is dragged past a hue that has less
-    QImage ring_, field_;
-    double field_hue_deg_ = -1.0;
+    tools::ColourAids aids_;
+    double harmony_deg_ = 0.0;       ///< the hue that the harmony is of; a click on a mark leaves it
+    std::vector<double> marks_deg_;  ///< the hues that go with it
+    QImage ring_, field_, disc_;
+    double field_hue_deg_ = -1.0, disc_lightness_ = -1.0;
 };
 
 }  // namespace pastoso::panels

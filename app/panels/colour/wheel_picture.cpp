@@ -34,27 +34,61 @@ QRgb ring_colour(double hue_deg) {
     return ring_colours()[static_cast<std::size_t>((half_degrees + count) % count)];
 }
 
+/// The most chroma of a lightness, in half degrees of hue.
+class MostChroma {
+  public:
+    explicit MostChroma(double lightness) {
+        for (std::size_t i = 0; i < most_.size(); ++i)
+            most_[i] = tools::most_chroma(lightness, 0.5 * static_cast<double>(i));
+    }
+    double at(double hue_deg) const {
+        return most_[static_cast<std::size_t>(std::lround(2.0 * hue_deg)) % most_.size()];
+    }
+
+  private:
+    std::array<double, 720> most_{};
+};
+
 /// How much of a pixel lies on the inner side of an edge that is so far away.
 double covered(double distance) {
     return std::clamp(distance + 0.5, 0.0, 1.0);
 }
 
-}  // namespace
-
-QImage hue_ring(int side, double inner, double outer) {
+/// A square picture of `colour_at(right, up)`, in pixels from its middle, where `share_at` of the
+/// distance from there is more than 0: the share of a pixel that is seen.
+template <class ShareAt, class ColourAt>
+QImage round_picture(int side, const ShareAt& share_at, const ColourAt& colour_at) {
     QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
     for (int y = 0; y < side; ++y) {
         auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
         for (int x = 0; x < side; ++x) {
             const double right = x + 0.5 - 0.5 * side, up = 0.5 * side - y - 0.5;
-            const double radius = std::hypot(right, up);
-            const double share = covered(outer - radius) * covered(radius - inner);
-            const QRgb colour = share > 0.0 ? ring_colour(core::degrees(std::atan2(up, right))) : 0;
+            const double share = share_at(std::hypot(right, up));
+            const QRgb colour = share > 0.0 ? colour_at(right, up) : 0;
             row[x] = qPremultiply(qRgba(qRed(colour), qGreen(colour), qBlue(colour),
                                         static_cast<int>(std::lround(255.0 * share))));
         }
     }
     return image;
+}
+
+}  // namespace
+
+QImage hue_ring(int side, double inner, double outer) {
+    return round_picture(
+        side, [&](double radius) { return covered(outer - radius) * covered(radius - inner); },
+        [](double right, double up) { return ring_colour(core::degrees(std::atan2(up, right))); });
+}
+
+QImage hue_disc(int side, double radius, double lightness) {
+    const MostChroma most(lightness);
+    return round_picture(
+        side, [&](double from_middle) { return covered(radius - from_middle); },
+        [&](double right, double up) {
+            const double hue_deg = tools::turned_deg(core::degrees(std::atan2(up, right)));
+            const double chroma = std::min(std::hypot(right, up) / radius, 1.0) * most.at(hue_deg);
+            return pixel(tools::colour_from(tools::ColourModel::Oklch, {lightness, chroma, hue_deg}));
+        });
 }
 
 QImage colour_field(int side, double hue_deg) {

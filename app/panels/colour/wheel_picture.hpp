@@ -19,4 +19,8 @@ QImage hue_ring(int side, double inner, double outer);
 /// Transparent where sRGB has no such colour.
 QImage colour_field(int side, double hue_deg);
 
+/// All colours of one lightness, %, that sRGB has, on a disc of this radius around the middle of a
+/// square of `side` pixels: hue and saturation as tools::disc_place() has them.
+QImage hue_disc(int side, double radius, double lightness);
+
 }  // namespace pastoso::panels
