@@ -46,6 +46,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     parts.brushes.read();
     parts.workspaces.recall(parts.memory.recall());
     parts.paints.recall();
+    parts.tubes.recall();
     parts.keys.recall();
     parts.preferences.recall(preferences);
     parts.pens.recall();

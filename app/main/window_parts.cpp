@@ -41,6 +41,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       recorder(studio, panels.recorder),
       again(studio, files, light),
       paints(studio, loading, panels.colours),
+      tubes(studio, panels.paints),
       tour(studio, panels),
       memory(studio, panels, light, undo, well, start, brush_editing, tour),
       workspaces(studio, panels),

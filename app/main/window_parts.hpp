@@ -33,6 +33,7 @@
 #include "main/paint/paint_settings.hpp"
 #include "main/paint/paint_time.hpp"
 #include "main/paint/swatches.hpp"
+#include "main/paint/tube_commands.hpp"
 #include "main/paint/well_commands.hpp"
 #include "main/panel_set.hpp"
 #include "main/pen/brush_bundles.hpp"
@@ -96,6 +97,7 @@ struct WindowParts {
     Recorder recorder;
     PaintingAgain again;
     PaintSettings paints;
+    TubeCommands tubes;
     TourCommands tour;
     WindowSettings memory;
     WorkspaceCommands workspaces;

@@ -323,15 +323,19 @@ void Easel::redo() {
 }
 
 void Easel::squeeze(double x_mm, double y_mm) {
+    squeeze(hand_.paint, x_mm, y_mm);
+}
+
+void Easel::squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm) {
     end_stroke();
-    post_(SqueezePaint{hand_.paint, kDollop_mm3, std::clamp(x_mm, 0.0, kWellWidth_mm),
+    post_(SqueezePaint{paint, kDollop_mm3, std::clamp(x_mm, 0.0, kWellWidth_mm),
                        std::clamp(y_mm, 0.0, kWellHeight_mm)});
 }
 
-void Easel::squeeze_next() {
+void Easel::squeeze_next(const document::PaintRecipe& paint) {
     const int column = squeezed_ % kPlacesInRow, row = squeezed_ / kPlacesInRow % 2;
     const double step_mm = (kWellWidth_mm - 2.0 * kPlaceMargin_mm) / (kPlacesInRow - 1);
-    squeeze(kPlaceMargin_mm + column * step_mm,
+    squeeze(paint, kPlaceMargin_mm + column * step_mm,
             row == 0 ? kPlaceMargin_mm : kWellHeight_mm - kPlaceMargin_mm);
     ++squeezed_;
 }

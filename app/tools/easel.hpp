@@ -121,7 +121,10 @@ class Easel {
     /// Squeezes a dollop of the present paint onto the mixing well: at a place, or at the next one of a
     /// row along its edges. Keeps within the well.
     void squeeze(double x_mm, double y_mm);
-    void squeeze_next();
+    void squeeze_next() { squeeze_next(hand_.paint); }
+
+    /// The same with another paint.
+    void squeeze_next(const document::PaintRecipe& paint);
     void clean_well();
 
     /// While a recording is played the brush is in another hand: presses paint nothing.
@@ -145,6 +148,7 @@ class Easel {
     brush::PenSample held() const;
 
   private:
+    void squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm);
     void end_stroke();
     void pour(const document::UseMedium& medium);
     void post_brush();

@@ -5,6 +5,8 @@
 #include "core/text_file.hpp"
 #include "main/window_parts.hpp"
 #include "panels/colour/colour_wheel.hpp"
+#include "panels/paint/paint_panel.hpp"
+#include "panels/paint/tube_menu.hpp"
 #include "pigment/hex_colour.hpp"
 
 #include <QAction>
@@ -332,7 +334,7 @@ TEST_F(Mixes, AreRenamedAndTakenAway) {
     list().setFocus();
     QTest::keyClick(&list(), Qt::Key_F2);
     type_name("a");
-    EXPECT_EQ(list().item(1)->text(), "a 2") << "no two have one name";
+    wait_for([this] { return list().item(1)->text() == "a 2"; });  // no two have one name
     list().setCurrentRow(0);
     list().setFocus();
     QTest::keyClick(&list(), Qt::Key_Delete);
@@ -358,6 +360,81 @@ TEST_F(Mixes, GoToAnotherPainterAsAFile) {
     EXPECT_THAT(told(), HasSubstr("added to your own"));
     ASSERT_EQ(list().count(), 1);
     EXPECT_EQ(list().item(0)->text(), "my sky");
+}
+
+// ---- tubes
+
+class Tubes : public MixingWindow {
+  protected:
+    QListWidget& list() { return find<QListWidget>("paints"); }
+    panels::PaintPanel& panel() { return *window().findChild<panels::PaintPanel*>(); }
+    QString set_shown() { return find<QToolButton>("tube_sets").text(); }
+    /// Dollops in the recording.
+    std::vector<std::string> squeezed() {
+        session().wait_until_applied();
+        std::vector<std::string> tubes;
+        for (const document::Event& event : session().recording().events)
+            if (const auto* squeeze = std::get_if<document::SqueezePaint>(&event.action))
+                tubes.push_back(
+                    squeeze->paint.ingredients.empty() ? "" : squeeze->paint.ingredients[0].pigment);
+        return tubes;
+    }
+};
+
+TEST_F(Tubes, StandInThePaintersOrderAtTheNextStartToo) {
+    const QStringList shipped = panel().tubes();
+    list().setCurrentRow(0);
+    list().setFocus();
+    QTest::keyClick(&list(), Qt::Key_Down, Qt::AltModifier);
+    QStringList moved = shipped;
+    moved.swapItemsAt(0, 1);
+    EXPECT_EQ(panel().tubes(), moved);
+    EXPECT_EQ(list().currentRow(), 1) << "the tube that moved";
+    start_again();
+    EXPECT_EQ(panel().tubes(), moved);
+    list().setCurrentRow(0);
+    QTest::keyClick(&list(), Qt::Key_Up, Qt::AltModifier);
+    EXPECT_EQ(panel().tubes(), moved) << "there is none above";
+}
+
+TEST_F(Tubes, AreChosenBySetsThatAreFoundAtTheNextStart) {
+    const QStringList all = panel().tubes();
+    parts().tubes.save_set(QStringLiteral("sea"));
+    EXPECT_EQ(set_shown(), "sea");
+    for (const QString& tube : all.mid(2))
+        Q_EMIT panel().taken_out(tube);
+    EXPECT_EQ(panel().tubes(), all.mid(0, 2));
+    EXPECT_EQ(list().item(0)->toolTip().isEmpty(), false) << "swatches are drawn";
+    Q_EMIT panel().sets().chosen_set(QString());
+    EXPECT_EQ(set_shown(), "All tubes");
+    EXPECT_EQ(panel().tubes(), all);
+    Q_EMIT panel().put_into_set(all[4], QStringLiteral("sea"));
+    Q_EMIT panel().sets().chosen_set(QStringLiteral("sea"));
+    EXPECT_EQ(panel().tubes(), (QStringList{all[0], all[1], all[4]}));
+    start_again();
+    EXPECT_EQ(set_shown(), "sea");
+    EXPECT_EQ(panel().tubes(), (QStringList{all[0], all[1], all[4]}));
+    parts().tubes.rename_set(QStringLiteral("storm"));
+    EXPECT_EQ(set_shown(), "storm");
+    parts().tubes.save_set(QStringLiteral(" "));
+    EXPECT_EQ(told(), "A set needs a name.");
+    Q_EMIT panel().sets().removal_wanted();
+    EXPECT_EQ(set_shown(), "All tubes");
+    EXPECT_EQ(panel().tubes(), all);
+}
+
+TEST_F(Tubes, OfASetAreSqueezedOutTogether) {
+    const QStringList all = panel().tubes();
+    parts().tubes.save_set(QStringLiteral("sea"));
+    for (const QString& tube : all.mid(3))
+        Q_EMIT panel().taken_out(tube);
+    const document::PaintRecipe in_hand = studio().easel().hand().paint;
+    Q_EMIT panel().sets().squeeze_wanted();
+    EXPECT_EQ(squeezed(), (std::vector<std::string>{all[0].toStdString(), all[1].toStdString(),
+                                                    all[2].toStdString()}));
+    EXPECT_EQ(studio().easel().hand().paint, in_hand);
+    EXPECT_TRUE(studio().commands().action(Command::MixingWell)->isChecked());
+    EXPECT_TRUE(session().take_errors().empty());
 }
 
 // ---- the eyedropper

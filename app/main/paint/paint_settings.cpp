@@ -33,7 +33,7 @@ PaintSettings::PaintSettings(Studio& studio, Loading& loading, panels::ColourPan
       file_(studio, core::user_data_path("paints.json")) {
     changed_.setSingleShot(true);
     changed_.setInterval(kSettling_ms);
-    connect(&changed_, &QTimer::timeout, this, &PaintSettings::write);
+    connect(&changed_, &QTimer::timeout, this, &PaintSettings::keep);
     connect(colours_, &panels::ColourPanel::refused, &studio_, &Studio::report);
     connect(colours_, &panels::ColourPanel::palette_wanted, this, &PaintSettings::ask_palette);
     connect(colours_, &panels::ColourPanel::picture_wanted, this, &PaintSettings::ask_picture);
@@ -48,10 +48,10 @@ void PaintSettings::recall() {
 }
 
 void PaintSettings::remember() {
-    if (changed_.isActive()) write();
+    if (changed_.isActive()) keep();
 }
 
-void PaintSettings::write() {
+void PaintSettings::keep() {
     changed_.stop();
     file_.remember([this](const auto& file) { tools::write_shelf(colours_->shelf(), file); });
 }

@@ -42,7 +42,7 @@ class PaintSettings : public QObject {
     void import_paints(const QString& path);
 
   private:
-    void write();
+    void keep();
     void ask_palette();
     void ask_picture(int colours);
     void ask_save_palette();

@@ -1,4 +1,4 @@
-// The tubes of paint.
+// The tubes of paint: all of them or a set, in the painter's order.
 #pragma once
 
 #include "tools/drawdown.hpp"
@@ -8,13 +8,16 @@
 #include <QColor>
 #include <QIcon>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 class QListWidgetItem;
+class QPoint;
 
 namespace pastoso::panels {
 
 class ChoiceList;
+class TubeMenu;
 
 struct PaintEntry {
     QString pigment;  ///< Colour Index name, empty for the medium alone
@@ -29,6 +32,13 @@ class PaintPanel : public QWidget {
     /// Shows all paint as it looks there from now on.
     void show_swatches(const tools::SwatchView& view);
 
+    /// Shows these tubes alone, by their Colour Index names, in this order.
+    void show_tubes(const QStringList& tubes);
+    QStringList tubes() const;
+
+    /// The painter's sets of tubes.
+    TubeMenu& sets() { return *sets_; }
+
     /// Shows what the brush is dipped in, without a signal; nothing when it is from no tube.
     void show_paint(const QString& pigment);
 
@@ -41,6 +51,10 @@ class PaintPanel : public QWidget {
     /// Also when the same paint is chosen again, which means a fresh dip.
     void paint_chosen(const QString& pigment);
 
+    void arranged();  ///< tubes() stand in another order
+    void put_into_set(const QString& pigment, const QString& set);
+    void taken_out(const QString& pigment);  ///< of the set that is shown
+
   protected:
     void changeEvent(QEvent* event) override;
 
@@ -52,14 +66,18 @@ class PaintPanel : public QWidget {
         tools::Drawdown drawdown;
         friend bool operator==(const Colours&, const Colours&) = default;
     };
-    static QString words_of(const QListWidgetItem& item, const Colours& colours, double film_mm);
+    static QString words_of(const PaintEntry& paint, const Colours& colours, double film_mm);
     void draw_icons();
+    void draw(QListWidgetItem& item) const;
     static QIcon icon_of(const Colours& colours, double pixel_ratio);
+    void offer_sets(const QPoint& place);
 
     std::vector<PaintEntry> paints_;
     tools::SwatchView view_;
     ChoiceList* list_ = nullptr;
-    std::vector<Colours> shown_;  ///< of each row
+    TubeMenu* sets_ = nullptr;
+    QString in_hand_;
+    std::vector<Colours> shown_;  ///< of each paint
 };
 
 }  // namespace pastoso::panels

@@ -44,7 +44,32 @@ ChoiceList::ChoiceList(QWidget* parent) : QListWidget(parent) {
     connect(this, &QListWidget::itemActivated, this, &ChoiceList::taken);
 }
 
+void ChoiceList::let_arrange() {
+    setDragDropMode(QAbstractItemView::InternalMove);
+    setDefaultDropAction(Qt::MoveAction);
+    keep_own_keys(this, {Qt::ALT | Qt::Key_Up, Qt::ALT | Qt::Key_Down});
+}
+
+void ChoiceList::dropEvent(QDropEvent* event) {
+    QListWidget::dropEvent(event);
+    Q_EMIT arranged();
+}
+
+void ChoiceList::move_current(int rows) {
+    const int from = currentRow(), to = from + rows;
+    if (from < 0 || to < 0 || to >= count()) return;
+    QListWidgetItem* moved = takeItem(from);
+    insertItem(to, moved);
+    setCurrentItem(moved);
+    scrollToItem(moved);
+    Q_EMIT arranged();
+}
+
 void ChoiceList::keyPressEvent(QKeyEvent* event) {
+    const bool moves = event->modifiers().testFlag(Qt::AltModifier) &&
+                       dragDropMode() == QAbstractItemView::InternalMove;
+    if (moves && event->key() == Qt::Key_Up) return move_current(-1);
+    if (moves && event->key() == Qt::Key_Down) return move_current(1);
     const QListWidgetItem* before = currentItem();
     QListWidget::keyPressEvent(event);
     if (currentItem() != nullptr && currentItem() != before) Q_EMIT taken(currentItem());

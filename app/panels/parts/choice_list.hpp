@@ -13,11 +13,19 @@ class ChoiceList : public QListWidget {
   public:
     explicit ChoiceList(QWidget* parent = nullptr);
 
+    /// Entries can be dragged to other places, or moved there with Alt and the arrows.
+    void let_arrange();
+
   Q_SIGNALS:
     void taken(QListWidgetItem* item);
+    void arranged();  ///< the entries stand in another order
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void move_current(int rows);
 };
 
 }  // namespace pastoso::panels

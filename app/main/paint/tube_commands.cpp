@@ -1,0 +1,118 @@
+#include "main/paint/tube_commands.hpp"
+
+#include "core/user_data.hpp"
+#include "panels/paint/paint_panel.hpp"
+#include "panels/paint/tube_menu.hpp"
+#include "tools/swatch.hpp"
+
+#include <QAction>
+#include <QInputDialog>
+#include <QMainWindow>
+
+namespace pastoso::main {
+namespace {
+
+tools::Tubes tubes_of(const QStringList& names) {
+    tools::Tubes tubes;
+    for (const QString& name : names)
+        tubes.push_back(name.toStdString());
+    return tubes;
+}
+
+QStringList names_of(const tools::Tubes& tubes) {
+    QStringList names;
+    for (const std::string& tube : tubes)
+        names += QString::fromStdString(tube);
+    return names;
+}
+
+}  // namespace
+
+TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
+    : studio_(studio),
+      panel_(tubes),
+      all_(tubes_of(tubes->tubes())),
+      file_(studio, core::user_data_path("tubes.json")) {
+    panels::TubeMenu& sets = panel_->sets();
+    connect(panel_, &panels::PaintPanel::arranged, this,
+            [this] { change([this](auto& rack) { tools::arrange(tubes_of(panel_->tubes()), rack); }); });
+    connect(panel_, &panels::PaintPanel::put_into_set, this,
+            [this](const QString& tube, const QString& set) {
+                change([&](auto& rack) {
+                    tools::put_into_set(tube.toStdString(), set.toStdString(), rack);
+                });
+            });
+    connect(panel_, &panels::PaintPanel::taken_out, this, [this](const QString& tube) {
+        change([&](auto& rack) { tools::take_out(tube.toStdString(), rack); });
+    });
+    connect(&sets, &panels::TubeMenu::chosen_set, this, [this](const QString& name) {
+        change([&](auto& rack) { rack.chosen = name.toStdString(); });
+    });
+    connect(&sets, &panels::TubeMenu::removal_wanted, this, [this] { change(tools::remove_chosen); });
+    connect(&sets, &panels::TubeMenu::squeeze_wanted, this, &TubeCommands::squeeze_out);
+    connect(&sets, &panels::TubeMenu::save_wanted, this, [this] {
+        const QString name = asked_name(tr("Save the tubes as a set"), panel_->sets().chosen());
+        if (!name.isNull()) save_set(name);
+    });
+    connect(&sets, &panels::TubeMenu::rename_wanted, this, [this] {
+        const QString name = asked_name(tr("Rename the set"), panel_->sets().chosen());
+        if (!name.isNull()) rename_set(name);
+    });
+}
+
+void TubeCommands::recall() {
+    file_.recall([this](const auto& file) { rack_ = tools::read_rack(file); });
+    show();
+}
+
+void TubeCommands::remember() {
+    file_.remember([this](const auto& file) { tools::write_rack(rack_, file); });
+}
+
+/// Null where it is given up.
+QString TubeCommands::asked_name(const QString& title, const QString& name) {
+    bool accepted = false;
+    const QString typed = QInputDialog::getText(&studio_.window(), title, tr("Name of the set:"),
+                                                QLineEdit::Normal, name, &accepted);
+    return accepted ? typed.trimmed() : QString();
+}
+
+void TubeCommands::save_set(const QString& name) {
+    const tools::Tubes tubes = tubes_of(panel_->tubes());
+    change([&](auto& rack) {
+        if (!tools::save_set(name.toStdString(), tubes, rack)) studio_.report(tr("A set needs a name."));
+    });
+}
+
+void TubeCommands::rename_set(const QString& name) {
+    change([&](auto& rack) {
+        if (!tools::rename_chosen(name.toStdString(), rack))
+            studio_.report(tr("Type another name: that one is empty, or another set's."));
+    });
+}
+
+void TubeCommands::change(const std::function<void(tools::TubeRack&)>& work) {
+    work(rack_);
+    show();
+    remember();
+}
+
+/// From the first place of the well's edge on, in the painter's order.
+void TubeCommands::squeeze_out() {
+    for (const std::string& tube : tools::shown_tubes(rack_, all_))
+        studio_.easel().squeeze_next(tools::tube_paint(tube));
+    QAction* well = studio_.commands().action(commands::Command::MixingWell);
+    if (!well->isChecked()) well->trigger();
+}
+
+void TubeCommands::show() {
+    QStringList names;
+    for (const tools::TubeSet& set : rack_.sets)
+        names += QString::fromStdString(set.name);
+    const tools::TubeSet* chosen = tools::chosen_set(rack_);
+    panel_->sets().show_sets(names,
+                             chosen == nullptr ? QString() : QString::fromStdString(chosen->name));
+    panel_->show_tubes(names_of(tools::shown_tubes(rack_, all_)));
+}
+
+}  // namespace pastoso::main

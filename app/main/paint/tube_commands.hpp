@@ -1,0 +1,47 @@
+// The tubes in the painter's order and the sets of them, found again at the next start, and squeezed out
+// together.
+#pragma once
+
+#include "main/program/remembered_file.hpp"
+#include "main/studio.hpp"
+#include "tools/tube_rack.hpp"
+
+#include <functional>
+
+#include <QObject>
+
+namespace pastoso::panels {
+class PaintPanel;
+}
+
+namespace pastoso::main {
+
+class TubeCommands : public QObject {
+    Q_OBJECT
+  public:
+    TubeCommands(Studio& studio, panels::PaintPanel* tubes);
+
+    /// A file that cannot be read is told, and left as it is.
+    void recall();
+    void remember();
+
+    /// Makes a set of the tubes that are shown. A name of blanks is told.
+    void save_set(const QString& name);
+
+    /// Gives the set that is shown another name. One that cannot be is told.
+    void rename_set(const QString& name);
+
+  private:
+    QString asked_name(const QString& title, const QString& name);
+    void change(const std::function<void(tools::TubeRack&)>& work);
+    void squeeze_out();
+    void show();
+
+    Studio& studio_;
+    panels::PaintPanel* panel_;
+    tools::Tubes all_;  ///< as they ship
+    tools::TubeRack rack_;
+    RememberedFile file_;
+};
+
+}  // namespace pastoso::main
