@@ -1266,10 +1266,6 @@
         <translation>a run is named by up to 64 small letters, digits and hyphens.</translation>
     </message>
     <message>
-        <source>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</source>
-        <translation>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</translation>
-    </message>
-    <message>
         <source>a scene</source>
         <translation>a scene</translation>
     </message>
@@ -2785,6 +2781,54 @@
         <source>copied paint</source>
         <translation>copied paint</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is there twice.</source>
+        <translation>&quot;%1&quot; is there twice.</translation>
+    </message>
+    <message>
+        <source>a mix needs a name.</source>
+        <translation>a mix needs a name.</translation>
+    </message>
+    <message>
+        <source>a sample has 4 to 8 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation, wheel; here are %1.</source>
+        <translation>a sample has 4 to 8 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation, wheel; here are %1.</translation>
+    </message>
+    <message>
+        <source>a set needs a name.</source>
+        <translation>a set needs a name.</translation>
+    </message>
+    <message>
+        <source>change of the resolution</source>
+        <translation>change of the resolution</translation>
+    </message>
+    <message>
+        <source>scale of the height</source>
+        <translation>scale of the height</translation>
+    </message>
+    <message>
+        <source>scale of the width</source>
+        <translation>scale of the width</translation>
+    </message>
+    <message>
+        <source>the panel %1 stands there twice.</source>
+        <translation>the panel %1 stands there twice.</translation>
+    </message>
+    <message>
+        <source>there are %1 mixes, but only %2 have room.</source>
+        <translation>there are %1 mixes, but only %2 have room.</translation>
+    </message>
+    <message>
+        <source>there is no &quot;%1&quot;.</source>
+        <translation>there is no &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>there is no panel.</source>
+        <translation>there is no panel.</translation>
+    </message>
+    <message>
+        <source>wheel of the pen</source>
+        <translation>wheel of the pen</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3248,6 +3292,74 @@
         <source>Favourite</source>
         <translation>Favourite</translation>
     </message>
+    <message>
+        <source>The brush is not over it</source>
+        <translation>The brush is not over it</translation>
+    </message>
+    <message>
+        <source>Brush at %1, %2 mm</source>
+        <translation>Brush at %1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Kind of paint</source>
+        <translation>Kind of paint</translation>
+    </message>
+    <message>
+        <source>Charcoal and pastels</source>
+        <translation>Charcoal and pastels</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Pens</translation>
+    </message>
+    <message>
+        <source>Sponges and rollers</source>
+        <translation>Sponges and rollers</translation>
+    </message>
+    <message>
+        <source>Direction of the stroke</source>
+        <translation>Direction of the stroke</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Distance travelled</translation>
+    </message>
+    <message>
+        <source>Time since the touch</source>
+        <translation>Time since the touch</translation>
+    </message>
+    <message>
+        <source>Distance in brush widths</source>
+        <translation>Distance in brush widths</translation>
+    </message>
+    <message>
+        <source>Chance, each stroke</source>
+        <translation>Chance, each stroke</translation>
+    </message>
+    <message>
+        <source>Chance along the stroke</source>
+        <translation>Chance along the stroke</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Wheel</translation>
+    </message>
+    <message>
+        <source>Paint left on the tool</source>
+        <translation>Paint left on the tool</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 widths</source>
+        <translation>%1 widths</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -3317,6 +3429,33 @@
     <message>
         <source>Width</source>
         <translation>Width</translation>
+    </message>
+</context>
+<context>
+    <name>TourCommands</name>
+    <message>
+        <source>Paint</source>
+        <translation>Paint</translation>
+    </message>
+    <message>
+        <source>Press on the canvas and drag: the brush lays wet paint, and drags along what is wet already. A pen that presses harder bends the hairs further.</source>
+        <translation>Press on the canvas and drag: the brush lays wet paint, and drags along what is wet already. A pen that presses harder bends the hairs further.</translation>
+    </message>
+    <message>
+        <source>Move the canvas, and pick paint from it</source>
+        <translation>Move the canvas, and pick paint from it</translation>
+    </message>
+    <message>
+        <source>Hold Space and drag to move the canvas; the wheel goes nearer. Ctrl and a click put the paint under the pointer on your brush.</source>
+        <translation>Hold Space and drag to move the canvas; the wheel goes nearer. Ctrl and a click put the paint under the pointer on your brush.</translation>
+    </message>
+    <message>
+        <source>Take another paint, and take a stroke back</source>
+        <translation>Take another paint, and take a stroke back</translation>
+    </message>
+    <message>
+        <source>Choose a paint here. %1 loads the brush anew, %2 takes the last stroke back.</source>
+        <translation>Choose a paint here. %1 loads the brush anew, %2 takes the last stroke back.</translation>
     </message>
 </context>
 <context>
@@ -3852,6 +3991,54 @@
     <message>
         <source>Pressure in the middle of the jet.</source>
         <translation>Pressure in the middle of the jet.</translation>
+    </message>
+    <message>
+        <source>Calligraphy nib 3</source>
+        <translation>Calligraphy nib 3</translation>
+    </message>
+    <message>
+        <source>Charcoal 8</source>
+        <translation>Charcoal 8</translation>
+    </message>
+    <message>
+        <source>Marbling comb 80</source>
+        <translation>Marbling comb 80</translation>
+    </message>
+    <message>
+        <source>Oil pastel 10</source>
+        <translation>Oil pastel 10</translation>
+    </message>
+    <message>
+        <source>Roller 50</source>
+        <translation>Roller 50</translation>
+    </message>
+    <message>
+        <source>Ruling pen 1</source>
+        <translation>Ruling pen 1</translation>
+    </message>
+    <message>
+        <source>Sponge 45</source>
+        <translation>Sponge 45</translation>
+    </message>
+    <message>
+        <source>Squeegee 120</source>
+        <translation>Squeegee 120</translation>
+    </message>
+    <message>
+        <source>Width of a comb&apos;s tooth, in distances of its teeth.</source>
+        <translation>Width of a comb&apos;s tooth, in distances of its teeth.</translation>
+    </message>
+    <message>
+        <source>Depth of a sponge&apos;s pores.</source>
+        <translation>Depth of a sponge&apos;s pores.</translation>
+    </message>
+    <message>
+        <source>Way round a roller, after which its mark comes again; 0: it does not roll.</source>
+        <translation>Way round a roller, after which its mark comes again; 0: it does not roll.</translation>
+    </message>
+    <message>
+        <source>0: levels the hollows that it reaches, 1: coats the grain alone.</source>
+        <translation>0: levels the hollows that it reaches, 1: coats the grain alone.</translation>
     </message>
 </context>
 <context>
@@ -5416,6 +5603,170 @@
         <source>Write all tools of your own into a bundle, a file to keep or to give away</source>
         <translation>Write all tools of your own into a bundle, a file to keep or to give away</translation>
     </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Window</translation>
+    </message>
+    <message>
+        <source>Save a &amp;version</source>
+        <translation>Save a &amp;version</translation>
+    </message>
+    <message>
+        <source>Go on in a file of the next number beside this one, which stays as it is</source>
+        <translation>Go on in a file of the next number beside this one, which stays as it is</translation>
+    </message>
+    <message>
+        <source>Close the pain&amp;ting</source>
+        <translation>Close the pain&amp;ting</translation>
+    </message>
+    <message>
+        <source>Put the painting away; the start page says what there is to go on with</source>
+        <translation>Put the painting away; the start page says what there is to go on with</translation>
+    </message>
+    <message>
+        <source>Scale image to &amp;new size...</source>
+        <translation>Scale image to &amp;new size...</translation>
+    </message>
+    <message>
+        <source>Draw the whole painting out, or make it of finer or coarser pixels</source>
+        <translation>Draw the whole painting out, or make it of finer or coarser pixels</translation>
+    </message>
+    <message>
+        <source>Toned g&amp;round...</source>
+        <translation>Toned g&amp;round...</translation>
+    </message>
+    <message>
+        <source>Cover the whole canvas with a dry coat of the paint in hand, below all layers</source>
+        <translation>Cover the whole canvas with a dry coat of the paint in hand, below all layers</translation>
+    </message>
+    <message>
+        <source>Full scr&amp;een</source>
+        <translation>Full scr&amp;een</translation>
+    </message>
+    <message>
+        <source>The window on the whole screen, without the bars of the desktop</source>
+        <translation>The window on the whole screen, without the bars of the desktop</translation>
+    </message>
+    <message>
+        <source>S&amp;quint</source>
+        <translation>S&amp;quint</translation>
+    </message>
+    <message>
+        <source>The painting as with half-closed eyes: large shapes without their details</source>
+        <translation>The painting as with half-closed eyes: large shapes without their details</translation>
+    </message>
+    <message>
+        <source>&amp;Brushes panel</source>
+        <translation>&amp;Brushes panel</translation>
+    </message>
+    <message>
+        <source>The tools to paint with, how wide they are and how steady they keep</source>
+        <translation>The tools to paint with, how wide they are and how steady they keep</translation>
+    </message>
+    <message>
+        <source>&amp;Paints panel</source>
+        <translation>&amp;Paints panel</translation>
+    </message>
+    <message>
+        <source>The tubes of paint</source>
+        <translation>The tubes of paint</translation>
+    </message>
+    <message>
+        <source>&amp;Easel panel</source>
+        <translation>&amp;Easel panel</translation>
+    </message>
+    <message>
+        <source>How the canvas stands, where the lamp is, and how fast paint dries</source>
+        <translation>How the canvas stands, where the lamp is, and how fast paint dries</translation>
+    </message>
+    <message>
+        <source>T&amp;ool bar</source>
+        <translation>T&amp;ool bar</translation>
+    </message>
+    <message>
+        <source>The bar of buttons; drag it by its end to another side, or off the window</source>
+        <translation>The bar of buttons; drag it by its end to another side, or off the window</translation>
+    </message>
+    <message>
+        <source>&amp;New window</source>
+        <translation>&amp;New window</translation>
+    </message>
+    <message>
+        <source>Another window, with an easel of its own</source>
+        <translation>Another window, with an easel of its own</translation>
+    </message>
+    <message>
+        <source>S&amp;ketch</source>
+        <translation>S&amp;ketch</translation>
+    </message>
+    <message>
+        <source>Brushes and paints beside a large canvas, and nothing else</source>
+        <translation>Brushes and paints beside a large canvas, and nothing else</translation>
+    </message>
+    <message>
+        <source>&amp;Oil</source>
+        <translation>&amp;Oil</translation>
+    </message>
+    <message>
+        <source>Brushes, paints and easel beside the tool and the layers</source>
+        <translation>Brushes, paints and easel beside the tool and the layers</translation>
+    </message>
+    <message>
+        <source>&amp;Mixing</source>
+        <translation>&amp;Mixing</translation>
+    </message>
+    <message>
+        <source>Paints, colours and what the paint is like, beside a large mixing well</source>
+        <translation>Paints, colours and what the paint is like, beside a large mixing well</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Export</translation>
+    </message>
+    <message>
+        <source>Lights, layers, the whole canvas and its recording, to finish a painting</source>
+        <translation>Lights, layers, the whole canvas and its recording, to finish a painting</translation>
+    </message>
+    <message>
+        <source>&amp;Save the workspace...</source>
+        <translation>&amp;Save the workspace...</translation>
+    </message>
+    <message>
+        <source>Keep the panels as they stand now, under a name of your own</source>
+        <translation>Keep the panels as they stand now, under a name of your own</translation>
+    </message>
+    <message>
+        <source>&amp;Rename the workspace...</source>
+        <translation>&amp;Rename the workspace...</translation>
+    </message>
+    <message>
+        <source>Give your own workspace that is in use another name</source>
+        <translation>Give your own workspace that is in use another name</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve the workspace</source>
+        <translation>Remo&amp;ve the workspace</translation>
+    </message>
+    <message>
+        <source>Forget your own workspace that is in use; the panels stay as they stand</source>
+        <translation>Forget your own workspace that is in use; the panels stay as they stand</translation>
+    </message>
+    <message>
+        <source>&amp;Left-handed</source>
+        <translation>&amp;Left-handed</translation>
+    </message>
+    <message>
+        <source>What stands on the left changes places with what stands on the right</source>
+        <translation>What stands on the left changes places with what stands on the right</translation>
+    </message>
+    <message>
+        <source>Show me &amp;round</source>
+        <translation>Show me &amp;round</translation>
+    </message>
+    <message>
+        <source>Three steps: paint, move the canvas, take other paint</source>
+        <translation>Three steps: paint, move the canvas, take other paint</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6079,6 +6430,57 @@
     </message>
 </context>
 <context>
+    <name>pastoso::dialogs::ScaleDialog</name>
+    <message>
+        <source>Paint keeps its thickness, so that there is %1 times as much of it.</source>
+        <translation>Paint keeps its thickness, so that there is %1 times as much of it.</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;proportions</source>
+        <translation>Keep the &amp;proportions</translation>
+    </message>
+    <message>
+        <source>Scale the image</source>
+        <translation>Scale the image</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in</source>
+        <translation>Other units may be typed as well: 50 cm, 20 in</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>Dots per inch may be typed as well: 127 dpi</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Width</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Height</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolution</translation>
+    </message>
+    <message>
+        <source>The image has this size and this resolution.</source>
+        <translation>The image has this size and this resolution.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
+        <translation>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::dialogs::SelectRangeDialog</name>
     <message>
         <source>Select it</source>
@@ -6471,6 +6873,14 @@
     <message>
         <source>Filled with paint</source>
         <translation>Filled with paint</translation>
+    </message>
+    <message>
+        <source>Painting scaled</source>
+        <translation>Painting scaled</translation>
+    </message>
+    <message>
+        <source>Ground toned</source>
+        <translation>Ground toned</translation>
     </message>
 </context>
 <context>
@@ -7360,6 +7770,33 @@
     </message>
 </context>
 <context>
+    <name>pastoso::help::TourBubble</name>
+    <message>
+        <source>Skip the tour</source>
+        <translation>Skip the tour</translation>
+    </message>
+    <message>
+        <source>Go on with the tour</source>
+        <translation>Go on with the tour</translation>
+    </message>
+    <message>
+        <source>Leave the tour, as Escape does; &quot;Show me round&quot; in the &quot;Help&quot; menu brings it back</source>
+        <translation>Leave the tour, as Escape does; &quot;Show me round&quot; in the &quot;Help&quot; menu brings it back</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 of %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Done</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Next</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -7632,6 +8069,18 @@
     <message>
         <source>Paint it again, finer...</source>
         <translation>Paint it again, finer...</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>Brushes</translation>
+    </message>
+    <message>
+        <source>Paints</source>
+        <translation>Paints</translation>
+    </message>
+    <message>
+        <source>Easel</source>
+        <translation>Easel</translation>
     </message>
 </context>
 <context>
@@ -7949,6 +8398,22 @@
         <source>Keep</source>
         <translation>Keep</translation>
     </message>
+    <message>
+        <source>Toned ground</source>
+        <translation>Toned ground</translation>
+    </message>
+    <message>
+        <source>An even coat of the paint in hand covers the whole canvas, dry at once, on a layer below all others: 0.02 mm tints the canvas, 0.1 mm covers it.</source>
+        <translation>An even coat of the paint in hand covers the whole canvas, dry at once, on a layer below all others: 0.02 mm tints the canvas, 0.1 mm covers it.</translation>
+    </message>
+    <message>
+        <source>Tone the ground</source>
+        <translation>Tone the ground</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Ground</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::GlassMode</name>
@@ -8051,6 +8516,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::NewWindow</name>
+    <message>
+        <source>%1 cannot be started: there is no other window.</source>
+        <translation>%1 cannot be started: there is no other window.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -8078,6 +8550,57 @@
     <message>
         <source>Palettes (*.gpl)</source>
         <translation>Palettes (*.gpl)</translation>
+    </message>
+    <message>
+        <source>Colours of a picture</source>
+        <translation>Colours of a picture</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Pictures (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Reading %1</translation>
+    </message>
+    <message>
+        <source>Save the palette</source>
+        <translation>Save the palette</translation>
+    </message>
+    <message>
+        <source>my-palette.gpl</source>
+        <translation>my-palette.gpl</translation>
+    </message>
+    <message>
+        <source>Export my paints</source>
+        <translation>Export my paints</translation>
+    </message>
+    <message>
+        <source>my-paints.json</source>
+        <translation>my-paints.json</translation>
+    </message>
+    <message>
+        <source>Sets of paints (*.json)</source>
+        <translation>Sets of paints (*.json)</translation>
+    </message>
+    <message>
+        <source>Import paints</source>
+        <translation>Import paints</translation>
+    </message>
+    <message>
+        <source>You have all paints of that set already.</source>
+        <translation>You have all paints of that set already.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n paint(s) added to your own.</source>
+        <translation>
+            <numerusform>%n paint added to your own.</numerusform>
+            <numerusform>%n paints added to your own.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Saved %1.</translation>
     </message>
 </context>
 <context>
@@ -8277,6 +8800,10 @@
     <message>
         <source>Recovering the painting</source>
         <translation>Recovering the painting</translation>
+    </message>
+    <message>
+        <source>Save a version</source>
+        <translation>Save a version</translation>
     </message>
 </context>
 <context>
@@ -8685,6 +9212,63 @@
     <message>
         <source>Reading %1</source>
         <translation>Reading %1</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::TubeCommands</name>
+    <message>
+        <source>Save the tubes as a set</source>
+        <translation>Save the tubes as a set</translation>
+    </message>
+    <message>
+        <source>Rename the set</source>
+        <translation>Rename the set</translation>
+    </message>
+    <message>
+        <source>Name of the set:</source>
+        <translation>Name of the set:</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>A set needs a name.</translation>
+    </message>
+    <message>
+        <source>Type another name: that one is empty, or another set&apos;s.</source>
+        <translation>Type another name: that one is empty, or another set&apos;s.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ViewCommands</name>
+    <message>
+        <source>Canvas %1 × %2 mm, %3 cells a millimetre</source>
+        <translation>Canvas %1 × %2 mm, %3 cells a millimetre</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::WorkspaceCommands</name>
+    <message>
+        <source>There is a workspace &quot;%1&quot; already.</source>
+        <translation>There is a workspace &quot;%1&quot; already.</translation>
+    </message>
+    <message>
+        <source>The workspace &quot;%1&quot; comes with the program: choose another name.</source>
+        <translation>The workspace &quot;%1&quot; comes with the program: choose another name.</translation>
+    </message>
+    <message>
+        <source>Save the workspace</source>
+        <translation>Save the workspace</translation>
+    </message>
+    <message>
+        <source>Name of the workspace; one of your own with this name is replaced:</source>
+        <translation>Name of the workspace; one of your own with this name is replaced:</translation>
+    </message>
+    <message>
+        <source>Rename the workspace</source>
+        <translation>Rename the workspace</translation>
+    </message>
+    <message>
+        <source>Name of the workspace:</source>
+        <translation>Name of the workspace:</translation>
     </message>
 </context>
 <context>
@@ -9289,6 +9873,93 @@
         <source>Air</source>
         <translation>Air</translation>
     </message>
+    <message>
+        <source>nib</source>
+        <translation>nib</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Teeth</translation>
+    </message>
+    <message>
+        <source>Pores</source>
+        <translation>Pores</translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation>Girth</translation>
+    </message>
+    <message>
+        <source>On the grain</source>
+        <translation>On the grain</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::AidsPart</name>
+    <message>
+        <source>Harmony and gamut mask</source>
+        <translation>Harmony and gamut mask</translation>
+    </message>
+    <message>
+        <source>Marks for hues that go together, and a shape on the wheel to choose within</source>
+        <translation>Marks for hues that go together, and a shape on the wheel to choose within</translation>
+    </message>
+    <message>
+        <source>Harmony</source>
+        <translation>Harmony</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>None</translation>
+    </message>
+    <message>
+        <source>Complementary</source>
+        <translation>Complementary</translation>
+    </message>
+    <message>
+        <source>Split complementary</source>
+        <translation>Split complementary</translation>
+    </message>
+    <message>
+        <source>Analogous</source>
+        <translation>Analogous</translation>
+    </message>
+    <message>
+        <source>Triad</source>
+        <translation>Triad</translation>
+    </message>
+    <message>
+        <source>Tetrad</source>
+        <translation>Tetrad</translation>
+    </message>
+    <message>
+        <source>The hues that go with yours are marked on the ring: a click takes one</source>
+        <translation>The hues that go with yours are marked on the ring: a click takes one</translation>
+    </message>
+    <message>
+        <source>Gamut mask</source>
+        <translation>Gamut mask</translation>
+    </message>
+    <message>
+        <source>Atmospheric triad</source>
+        <translation>Atmospheric triad</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Circle</translation>
+    </message>
+    <message>
+        <source>The colours of one lightness on a disc, and a shape that the wheel keeps to</source>
+        <translation>The colours of one lightness on a disc, and a shape that the wheel keeps to</translation>
+    </message>
+    <message>
+        <source>Turn of the gamut mask</source>
+        <translation>Turn of the gamut mask</translation>
+    </message>
+    <message>
+        <source>Turns the gamut mask</source>
+        <translation>Turns the gamut mask</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushEditor</name>
@@ -9437,6 +10108,10 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Width of the brush&apos;s tip</source>
+        <translation>Width of the brush&apos;s tip</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPanel</name>
@@ -9477,22 +10152,6 @@
         <translation>Lay the paint in hand out on your palette</translation>
     </message>
     <message>
-        <source>From a file</source>
-        <translation>From a file</translation>
-    </message>
-    <message>
-        <source>none opened</source>
-        <translation>none opened</translation>
-    </message>
-    <message>
-        <source>Open...</source>
-        <translation>Open...</translation>
-    </message>
-    <message>
-        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
-        <translation>Colours of GIMP, Krita or Inkscape, from a .gpl file</translation>
-    </message>
-    <message>
         <source>The colour itself, as a paint of its own: %1</source>
         <translation>The colour itself, as a paint of its own: %1</translation>
     </message>
@@ -9511,6 +10170,18 @@ The right button, or Delete, takes it away.</translation>
 ΔE %2, %3; %4</source>
         <translation>%1
 ΔE %2, %3; %4</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Save...</translation>
+    </message>
+    <message>
+        <source>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</source>
+        <translation>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</translation>
+    </message>
+    <message>
+        <source>There is no room for more mixes; take one away first.</source>
+        <translation>There is no room for more mixes; take one away first.</translation>
     </message>
 </context>
 <context>
@@ -9580,6 +10251,17 @@ screen has it. Keys: arrows, Page Up and Page Down for the hue, with Ctrl finely
 Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.</source>
         <translation>Drag a point, click beside one to add another, right click to take one away.
 Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: %3 % across, %4 % up</source>
+        <translation>Point %1 of %2: %3 % across, %4 % up</translation>
     </message>
 </context>
 <context>
@@ -9733,6 +10415,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <source>Turned by</source>
         <translation>Turned by</translation>
     </message>
+    <message>
+        <source>%1: %2 to %3%4</source>
+        <translation>%1: %2 to %3%4</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
@@ -9790,6 +10476,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <source>From a file...</source>
         <translation>From a file...</translation>
     </message>
+    <message>
+        <source>Seen in</source>
+        <translation>Seen in</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::LayerModel</name>
@@ -9840,6 +10530,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
 Keys: arrows move it, Home puts it back.</source>
         <translation>Drag the lamp: near the rim it rakes over the relief. Double-click puts it back.
 Keys: arrows move it, Home puts it back.</translation>
+    </message>
+    <message>
+        <source>%1° high, from %2°</source>
+        <translation>%1° high, from %2°</translation>
     </message>
 </context>
 <context>
@@ -10047,6 +10741,57 @@ Keys: arrows move it, Home puts it back.</translation>
         <source>Clear</source>
         <translation>Clear</translation>
     </message>
+    <message>
+        <source>All messages, to be pasted elsewhere</source>
+        <translation>All messages, to be pasted elsewhere</translation>
+    </message>
+    <message>
+        <source>Take all messages off the list</source>
+        <translation>Take all messages off the list</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::MixesPart</name>
+    <message>
+        <source>Your mixes</source>
+        <translation>Your mixes</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Rename</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Remove</translation>
+    </message>
+    <message>
+        <source>Keep as a mix</source>
+        <translation>Keep as a mix</translation>
+    </message>
+    <message>
+        <source>Keep the paint in hand as a recipe of tubes, under a name of your own</source>
+        <translation>Keep the paint in hand as a recipe of tubes, under a name of your own</translation>
+    </message>
+    <message>
+        <source>Take the chosen mix away</source>
+        <translation>Take the chosen mix away</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Export...</translation>
+    </message>
+    <message>
+        <source>Save your mixes and your palette as a file for others</source>
+        <translation>Save your mixes and your palette as a file for others</translation>
+    </message>
+    <message>
+        <source>Import...</source>
+        <translation>Import...</translation>
+    </message>
+    <message>
+        <source>Add the mixes and the palette of such a file</source>
+        <translation>Add the mixes and the palette of such a file</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::MousePart</name>
@@ -10073,6 +10818,13 @@ Keys: arrows move it, Home puts it back.</translation>
     <message>
         <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
         <translation>A mouse, or a finger on the screen, does not tell how hard it presses.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::NavigatorMap</name>
+    <message>
+        <source>The middle of the window is %1 % from the left and %2 % from the top</source>
+        <translation>The middle of the window is %1 % from the left and %2 % from the top</translation>
     </message>
 </context>
 <context>
@@ -10113,6 +10865,49 @@ Wheel: closer, farther</translation>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::OpenedPalette</name>
+    <message>
+        <source>none opened</source>
+        <translation>none opened</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Open...</translation>
+    </message>
+    <message>
+        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
+        <translation>Colours of GIMP, Krita or Inkscape, from a .gpl file</translation>
+    </message>
+    <message>
+        <source>From a picture...</source>
+        <translation>From a picture...</translation>
+    </message>
+    <message>
+        <source>Finds the colours that a picture is made of</source>
+        <translation>Finds the colours that a picture is made of</translation>
+    </message>
+    <message>
+        <source>Colours of the picture</source>
+        <translation>Colours of the picture</translation>
+    </message>
+    <message>
+        <source>How many colours are looked for</source>
+        <translation>How many colours are looked for</translation>
+    </message>
+    <message>
+        <source>As recipes of the tubes</source>
+        <translation>As recipes of the tubes</translation>
+    </message>
+    <message>
+        <source>A click dips the brush in the nearest mixture of tubes, not in the colour itself</source>
+        <translation>A click dips the brush in the nearest mixture of tubes, not in the colour itself</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>From a file</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::PaceNotice</name>
     <message>
         <source>The paint runs at %1 of its pace.</source>
@@ -10125,6 +10920,10 @@ Wheel: closer, farther</translation>
     <message>
         <source>What helps</source>
         <translation>What helps</translation>
+    </message>
+    <message>
+        <source>What lets the paint keep up again</source>
+        <translation>What lets the paint keep up again</translation>
     </message>
 </context>
 <context>
@@ -10142,6 +10941,14 @@ Wheel: closer, farther</translation>
 As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</source>
         <translation>%1 (%2), %3
 As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</translation>
+    </message>
+    <message>
+        <source>Put into a set</source>
+        <translation>Put into a set</translation>
+    </message>
+    <message>
+        <source>Take out of this set</source>
+        <translation>Take out of this set</translation>
     </message>
 </context>
 <context>
@@ -10296,8 +11103,16 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
 <context>
     <name>pastoso::panels::PictureBoard</name>
     <message>
-        <source>No picture to trace</source>
-        <translation>No picture to trace</translation>
+        <source>no picture</source>
+        <translation>no picture</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>A picture that you choose to trace lies here, to look at and to pick colours from, and below the paint.</source>
+        <translation>A picture that you choose to trace lies here, to look at and to pick colours from, and below the paint.</translation>
     </message>
 </context>
 <context>
@@ -10321,6 +11136,13 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PresetPageView</name>
+    <message>
+        <source>%1: as the tool is saved</source>
+        <translation>%1: as the tool is saved</translation>
     </message>
 </context>
 <context>
@@ -10447,6 +11269,14 @@ Keys: arrows tilt it, Home lays it flat.</source>
         <translation>Drag to tilt the canvas: the paint runs towards the knob. Double-click lays it flat.
 Keys: arrows tilt it, Home lays it flat.</translation>
     </message>
+    <message>
+        <source>flat</source>
+        <translation>flat</translation>
+    </message>
+    <message>
+        <source>%1° steep, down is at %2°</source>
+        <translation>%1° steep, down is at %2°</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::TracingPanel</name>
@@ -10495,6 +11325,41 @@ Drag: move the picture
     <message>
         <source>Its height follows in proportion</source>
         <translation>Its height follows in proportion</translation>
+    </message>
+    <message>
+        <source>Where its left edge lies on the canvas</source>
+        <translation>Where its left edge lies on the canvas</translation>
+    </message>
+    <message>
+        <source>Where its upper edge lies on the canvas</source>
+        <translation>Where its upper edge lies on the canvas</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::TubeMenu</name>
+    <message>
+        <source>Which tubes are shown: all of them, or a set of yours</source>
+        <translation>Which tubes are shown: all of them, or a set of yours</translation>
+    </message>
+    <message>
+        <source>All tubes</source>
+        <translation>All tubes</translation>
+    </message>
+    <message>
+        <source>Save as a set...</source>
+        <translation>Save as a set...</translation>
+    </message>
+    <message>
+        <source>Rename the set...</source>
+        <translation>Rename the set...</translation>
+    </message>
+    <message>
+        <source>Remove the set</source>
+        <translation>Remove the set</translation>
+    </message>
+    <message>
+        <source>Squeeze these onto the mixing well</source>
+        <translation>Squeeze these onto the mixing well</translation>
     </message>
 </context>
 <context>

@@ -195,7 +195,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; was laid over the others by %2 and is laid over them as paint.</source>
-        <translation>「%1」は %2 で重ねられていましたが、ここでは絵の具として重ねます。</translation>
+        <translation>「%1」は %2 で重ねられていましたが、ここでは絵具として重ねます。</translation>
     </message>
     <message>
         <source>&quot;endloop&quot; is missing before %1.</source>
@@ -463,7 +463,7 @@
     </message>
     <message>
         <source>%1: %2 of the pigment &quot;%3&quot; is %4 per mm in band %5 of %6, above the %7 that paint can have; give the pigment in a weaker paint.</source>
-        <translation>%1: 顔料「%3」の %2 が、%6 個中 %5 番目の帯域で 1 mm あたり %4 になり、絵の具の上限 %7 を超えています。もっと薄い絵の具での値を指定してください。</translation>
+        <translation>%1: 顔料「%3」の %2 が、%6 個中 %5 番目の帯域で 1 mm あたり %4 になり、絵具の上限 %7 を超えています。もっと薄い絵具での値を指定してください。</translation>
     </message>
     <message>
         <source>%1: %2 x %3 pixels are more than the %4 a side that a PSD file holds.</source>
@@ -647,7 +647,7 @@
     </message>
     <message>
         <source>%1: is an OpenRaster picture of another program; it holds no wet paint.</source>
-        <translation>%1: ほかのプログラムの OpenRaster 画像で、濡れた絵の具は含まれていません。</translation>
+        <translation>%1: ほかのプログラムの OpenRaster 画像で、濡れた絵具は含まれていません。</translation>
     </message>
     <message>
         <source>%1: is damaged; %2 actions after it are lost.</source>
@@ -743,7 +743,7 @@
     </message>
     <message>
         <source>%1: the list &quot;%2&quot; of paints is missing.</source>
-        <translation>%1: 絵の具のリスト「%2」がありません。</translation>
+        <translation>%1: 絵具のリスト「%2」がありません。</translation>
     </message>
     <message>
         <source>%1: the name &quot;%2&quot; begins with #, as only colours do.</source>
@@ -1147,7 +1147,7 @@
     </message>
     <message>
         <source>a bristle holds what none can.</source>
-        <translation>ブラシの毛に、あり得ない量の絵の具が含まれています。</translation>
+        <translation>ブラシの毛に、あり得ない量の絵具が含まれています。</translation>
     </message>
     <message>
         <source>a cap is at most a half sphere: its thickness %1 must lie above 0 and not above its radius %2.</source>
@@ -1155,7 +1155,7 @@
     </message>
     <message>
         <source>a cell holds more of its media than it holds paint.</source>
-        <translation>セルのメディウムの量が、そのセルの絵の具の量を超えています。</translation>
+        <translation>セルのメディウムの量が、そのセルの絵具の量を超えています。</translation>
     </message>
     <message>
         <source>a combination has no parts.</source>
@@ -1215,7 +1215,7 @@
     </message>
     <message>
         <source>a mixture</source>
-        <translation>絵の具の混ざり方</translation>
+        <translation>絵具の混ざり方</translation>
     </message>
     <message>
         <source>a named pipe</source>
@@ -1266,10 +1266,6 @@
         <translation>実行の名前に使えるのは、英小文字、数字、ハイフンで、64 文字までです。</translation>
     </message>
     <message>
-        <source>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</source>
-        <translation>サンプルには time、x、y、pressure、tilt_x、tilt_y、rotation の 4 から 7 個の数値が必要ですが、ここには %1 個あります。</translation>
-    </message>
-    <message>
         <source>a scene</source>
         <translation>シーン</translation>
     </message>
@@ -1307,7 +1303,7 @@
     </message>
     <message>
         <source>a thickness of dry paint</source>
-        <translation>乾いた絵の具の厚さ</translation>
+        <translation>乾いた絵具の厚さ</translation>
     </message>
     <message>
         <source>a tilt needs millimetres; in cells give &quot;gravity&quot;.</source>
@@ -1347,7 +1343,7 @@
     </message>
     <message>
         <source>an amount of paint</source>
-        <translation>絵の具の量</translation>
+        <translation>絵具の量</translation>
     </message>
     <message>
         <source>an exception of an unknown kind</source>
@@ -1415,7 +1411,7 @@
     </message>
     <message>
         <source>cell (%1, %2) holds a lower stratum that is no part of its paint.</source>
-        <translation>セル (%1, %2) に、そのセルの絵の具に含まれない下の層があります。</translation>
+        <translation>セル (%1, %2) に、そのセルの絵具に含まれない下の層があります。</translation>
     </message>
     <message>
         <source>checkpoint of a tank</source>
@@ -1587,7 +1583,7 @@
     </message>
     <message>
         <source>expected an amount of paint up to 1e18.</source>
-        <translation>1e18 までの絵の具の量が必要です。</translation>
+        <translation>1e18 までの絵具の量が必要です。</translation>
     </message>
     <message>
         <source>expected four numbers, [left, top, right, bottom].</source>
@@ -1731,7 +1727,7 @@
     </message>
     <message>
         <source>holds the paint of another brush than the one %1, which has %2 bristles.</source>
-        <translation>%1ブラシ (毛は %2 本) とは別のブラシの絵の具が含まれています。</translation>
+        <translation>%1ブラシ (毛は %2 本) とは別のブラシの絵具が含まれています。</translation>
     </message>
     <message>
         <source>in hand</source>
@@ -1843,7 +1839,7 @@
     </message>
     <message>
         <source>least thickness of wet paint</source>
-        <translation>濡れた絵の具の厚さの下限</translation>
+        <translation>濡れた絵具の厚さの下限</translation>
     </message>
     <message>
         <source>linear pictures</source>
@@ -1895,7 +1891,7 @@
     </message>
     <message>
         <source>most thickness of wet paint</source>
-        <translation>濡れた絵の具の厚さの上限</translation>
+        <translation>濡れた絵具の厚さの上限</translation>
     </message>
     <message>
         <source>moving the group there would tear a group of layers apart.</source>
@@ -2031,7 +2027,7 @@
     </message>
     <message>
         <source>roughness on wet paint</source>
-        <translation>濡れた絵の具の粗さ</translation>
+        <translation>濡れた絵具の粗さ</translation>
     </message>
     <message>
         <source>ruler&apos;s first point</source>
@@ -2083,11 +2079,11 @@
     </message>
     <message>
         <source>share of paint</source>
-        <translation>絵の具の割合</translation>
+        <translation>絵具の割合</translation>
     </message>
     <message>
         <source>share of the second paint</source>
-        <translation>2 番目の絵の具の割合</translation>
+        <translation>2 番目の絵具の割合</translation>
     </message>
     <message>
         <source>share that is wiped off the brush</source>
@@ -2131,7 +2127,7 @@
     </message>
     <message>
         <source>strength of the paint</source>
-        <translation>絵の具の濃さ</translation>
+        <translation>絵具の濃さ</translation>
     </message>
     <message>
         <source>string of the stabiliser</source>
@@ -2367,7 +2363,7 @@
     </message>
     <message>
         <source>their paint adds up to more than any canvas holds.</source>
-        <translation>絵の具の合計が、キャンバスに載る量を超えています。</translation>
+        <translation>絵具の合計が、キャンバスに載る量を超えています。</translation>
     </message>
     <message>
         <source>there are %1 columns instead of %2.</source>
@@ -2411,7 +2407,7 @@
     </message>
     <message>
         <source>there is no brush in hand to take paint with.</source>
-        <translation>絵の具を付けるブラシを手に持っていません。</translation>
+        <translation>絵具を付けるブラシを手に持っていません。</translation>
     </message>
     <message>
         <source>there is no field %1.</source>
@@ -2511,7 +2507,7 @@
     </message>
     <message>
         <source>this paint</source>
-        <translation>この絵の具</translation>
+        <translation>この絵具</translation>
     </message>
     <message>
         <source>this was written by a newer Pastoso (%1 %2; this program reads up to %3).</source>
@@ -2531,7 +2527,7 @@
     </message>
     <message>
         <source>tile %1 moves as no paint can.</source>
-        <translation>タイル %1 が、絵の具ではあり得ない動きをしています。</translation>
+        <translation>タイル %1 が、絵具ではあり得ない動きをしています。</translation>
     </message>
     <message>
         <source>tile %1 moves, but there is no &quot;window&quot; that it started from.</source>
@@ -2607,7 +2603,7 @@
     </message>
     <message>
         <source>volume of the squeezed paint</source>
-        <translation>絞り出す絵の具の体積</translation>
+        <translation>絞り出す絵具の体積</translation>
     </message>
     <message>
         <source>were painted with an earlier version of the program (arithmetic %1, now %2): replayed, they come out a little differently.</source>
@@ -2667,7 +2663,7 @@
     </message>
     <message>
         <source>x of the squeezed paint</source>
-        <translation>絞り出す絵の具の x 座標</translation>
+        <translation>絞り出す絵具の x 座標</translation>
     </message>
     <message>
         <source>x tilt of the pen</source>
@@ -2703,7 +2699,7 @@
     </message>
     <message>
         <source>y of the squeezed paint</source>
-        <translation>絞り出す絵の具の y 座標</translation>
+        <translation>絞り出す絵具の y 座標</translation>
     </message>
     <message>
         <source>y tilt of the pen</source>
@@ -2785,6 +2781,54 @@
         <source>copied paint</source>
         <translation>コピーした絵具</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is there twice.</source>
+        <translation>「%1」が二つあります。</translation>
+    </message>
+    <message>
+        <source>a mix needs a name.</source>
+        <translation>混色には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>a sample has 4 to 8 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation, wheel; here are %1.</source>
+        <translation>サンプルは4から8個の数 time, x, y, pressure, tilt_x, tilt_y, rotation, wheel です。ここには%1個あります。</translation>
+    </message>
+    <message>
+        <source>a set needs a name.</source>
+        <translation>セットには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>change of the resolution</source>
+        <translation>解像度の倍率</translation>
+    </message>
+    <message>
+        <source>scale of the height</source>
+        <translation>高さの倍率</translation>
+    </message>
+    <message>
+        <source>scale of the width</source>
+        <translation>幅の倍率</translation>
+    </message>
+    <message>
+        <source>the panel %1 stands there twice.</source>
+        <translation>パネル %1 が二か所にあります。</translation>
+    </message>
+    <message>
+        <source>there are %1 mixes, but only %2 have room.</source>
+        <translation>混色が%1個ありますが、%2個しか入りません。</translation>
+    </message>
+    <message>
+        <source>there is no &quot;%1&quot;.</source>
+        <translation>「%1」はありません。</translation>
+    </message>
+    <message>
+        <source>there is no panel.</source>
+        <translation>パネルがありません。</translation>
+    </message>
+    <message>
+        <source>wheel of the pen</source>
+        <translation>ペンのホイール</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -2836,11 +2880,11 @@
     </message>
     <message>
         <source>Paint</source>
-        <translation>絵の具</translation>
+        <translation>絵具</translation>
     </message>
     <message>
         <source>Choose this paint</source>
-        <translation>この絵の具を選ぶ</translation>
+        <translation>この絵具を選ぶ</translation>
     </message>
     <message>
         <source>Medium</source>
@@ -2921,7 +2965,7 @@
     </message>
     <message>
         <source>How the next paint flows; what lies on the canvas keeps its own way</source>
-        <translation>これから使う絵の具の流れ方。キャンバス上の絵の具の性質は変わらない</translation>
+        <translation>これから使う絵具の流れ方。キャンバス上の絵具の性質は変わらない</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -3025,11 +3069,11 @@
     </message>
     <message>
         <source>film that it leaves</source>
-        <translation>残る絵の具の膜</translation>
+        <translation>残る絵具の膜</translation>
     </message>
     <message>
         <source>paint taken up</source>
-        <translation>拾う絵の具の量</translation>
+        <translation>拾う絵具の量</translation>
     </message>
     <message>
         <source>flow</source>
@@ -3065,11 +3109,11 @@
     </message>
     <message>
         <source>You paint on this layer; its wet paint flows and dries</source>
-        <translation>描画中のレイヤー。濡れた絵の具は流れ、乾いていく</translation>
+        <translation>描画中のレイヤー。濡れた絵具は流れ、乾いていく</translation>
     </message>
     <message>
         <source>Its wet paint keeps still: it neither flows nor dries, and stays as wet as it is until you choose this layer</source>
-        <translation>濡れた絵の具は休止中。このレイヤーを選ぶまで、流れも乾きもせず濡れたまま保たれる</translation>
+        <translation>濡れた絵具は休止中。このレイヤーを選ぶまで、流れも乾きもせず濡れたまま保たれる</translation>
     </message>
     <message>
         <source>Click to paint on this layer; a double click names it, dragging moves it</source>
@@ -3170,7 +3214,7 @@
     </message>
     <message>
         <source>How fast time passes for the paint: 10 × is ten seconds in one. While you draw a stroke it passes as usual</source>
-        <translation>絵の具の時間が進む速さ。10 ×では1秒に10秒分進む。描いている間はふつうの速さになる</translation>
+        <translation>絵具の時間が進む速さ。10 ×では1秒に10秒分進む。描いている間はふつうの速さになる</translation>
     </message>
     <message>
         <source>transparent</source>
@@ -3194,7 +3238,7 @@
     </message>
     <message>
         <source>ride on wet paint</source>
-        <translation>濡れた絵の具への乗り</translation>
+        <translation>濡れた絵具への乗り</translation>
     </message>
     <message>
         <source>Wash</source>
@@ -3247,6 +3291,74 @@
     <message>
         <source>Favourite</source>
         <translation>お気に入り</translation>
+    </message>
+    <message>
+        <source>The brush is not over it</source>
+        <translation>ブラシは上にない</translation>
+    </message>
+    <message>
+        <source>Brush at %1, %2 mm</source>
+        <translation>ブラシは %1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Kind of paint</source>
+        <translation>絵具の種類</translation>
+    </message>
+    <message>
+        <source>Charcoal and pastels</source>
+        <translation>木炭とパステル</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>ペン</translation>
+    </message>
+    <message>
+        <source>Sponges and rollers</source>
+        <translation>スポンジとローラー</translation>
+    </message>
+    <message>
+        <source>Direction of the stroke</source>
+        <translation>ストロークの向き</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>進んだ距離</translation>
+    </message>
+    <message>
+        <source>Time since the touch</source>
+        <translation>触れてからの時間</translation>
+    </message>
+    <message>
+        <source>Distance in brush widths</source>
+        <translation>筆幅で測った距離</translation>
+    </message>
+    <message>
+        <source>Chance, each stroke</source>
+        <translation>偶然 (ストロークごと)</translation>
+    </message>
+    <message>
+        <source>Chance along the stroke</source>
+        <translation>偶然 (ストロークに沿って)</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>Paint left on the tool</source>
+        <translation>道具に残る絵具</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 widths</source>
+        <translation>筆幅の%1倍</translation>
     </message>
 </context>
 <context>
@@ -3317,6 +3429,33 @@
     <message>
         <source>Width</source>
         <translation>幅</translation>
+    </message>
+</context>
+<context>
+    <name>TourCommands</name>
+    <message>
+        <source>Paint</source>
+        <translation>描く</translation>
+    </message>
+    <message>
+        <source>Press on the canvas and drag: the brush lays wet paint, and drags along what is wet already. A pen that presses harder bends the hairs further.</source>
+        <translation>キャンバスを押してドラッグすると、ブラシが濡れた絵具を置き、まだ濡れている絵具を引きずります。ペンを強く押すほど毛がしなります。</translation>
+    </message>
+    <message>
+        <source>Move the canvas, and pick paint from it</source>
+        <translation>キャンバスを動かし、そこから絵具を取る</translation>
+    </message>
+    <message>
+        <source>Hold Space and drag to move the canvas; the wheel goes nearer. Ctrl and a click put the paint under the pointer on your brush.</source>
+        <translation>スペースを押しながらドラッグするとキャンバスが動き、ホイールで近づきます。Ctrl を押しながらクリックすると、ポインターの下の絵具がブラシに付きます。</translation>
+    </message>
+    <message>
+        <source>Take another paint, and take a stroke back</source>
+        <translation>絵具を替え、ストロークを取り消す</translation>
+    </message>
+    <message>
+        <source>Choose a paint here. %1 loads the brush anew, %2 takes the last stroke back.</source>
+        <translation>ここで絵具を選びます。%1 でブラシに絵具を付け直し、%2 で最後のストロークを取り消します。</translation>
     </message>
 </context>
 <context>
@@ -3583,11 +3722,11 @@
     </message>
     <message>
         <source>heavy-body oil</source>
-        <translation>硬練り油絵の具</translation>
+        <translation>硬練り油絵具</translation>
     </message>
     <message>
         <source>Stiff, buttery oil straight from the tube: every bristle mark and every peak stays where you put it.</source>
-        <translation>チューブから出したままの、バターのように硬い油絵の具。筆跡も盛り上がりも、置いたまま残ります。</translation>
+        <translation>チューブから出したままの、バターのように硬い油絵具。筆跡も盛り上がりも、置いたまま残ります。</translation>
     </message>
     <message>
         <source>soft-body acrylic</source>
@@ -3595,7 +3734,7 @@
     </message>
     <message>
         <source>Creamy paint that keeps soft brush marks, and slumps slowly where you lay it on thick.</source>
-        <translation>クリーム状の絵の具。柔らかな筆跡が残り、厚く置いたところはゆっくり崩れます。</translation>
+        <translation>クリーム状の絵具。柔らかな筆跡が残り、厚く置いたところはゆっくり崩れます。</translation>
     </message>
     <message>
         <source>fluid acrylic</source>
@@ -3603,7 +3742,7 @@
     </message>
     <message>
         <source>Pours like cream: brush marks level out, and thick passages sag and run on a tilted canvas.</source>
-        <translation>生クリームのように流れる絵の具。筆跡はならされ、厚いところは傾けたキャンバスの上で垂れて流れます。</translation>
+        <translation>生クリームのように流れる絵具。筆跡はならされ、厚いところは傾けたキャンバスの上で垂れて流れます。</translation>
     </message>
     <message>
         <source>house paint</source>
@@ -3627,15 +3766,15 @@
     </message>
     <message>
         <source>Clear thinner: loosens wet paint that it meets, lifts dried ink, and leaves nothing behind.</source>
-        <translation>透明なうすめ液。触れた濡れた絵の具をゆるめ、乾いたインクを浮かせ、あとには何も残しません。</translation>
+        <translation>透明なうすめ液。触れた濡れた絵具をゆるめ、乾いたインクを浮かせ、あとには何も残しません。</translation>
     </message>
     <message>
         <source>Paint</source>
-        <translation>絵の具</translation>
+        <translation>絵具</translation>
     </message>
     <message>
         <source>Oils</source>
-        <translation>油絵の具</translation>
+        <translation>油絵具</translation>
     </message>
     <message>
         <source>Acrylics and others</source>
@@ -3647,7 +3786,7 @@
     </message>
     <message>
         <source>Oil with cold wax, short and dull: it breaks off sharply at the edge and keeps every cut of the knife.</source>
-        <translation>コールドワックスを加えた、切れがよくつやのない油絵の具。端がすぱっと切れ、ナイフの跡がそのまま残る。</translation>
+        <translation>コールドワックスを加えた、切れがよくつやのない油絵具。端がすぱっと切れ、ナイフの跡がそのまま残る。</translation>
     </message>
     <message>
         <source>alkyd gel</source>
@@ -3655,7 +3794,7 @@
     </message>
     <message>
         <source>A clear gel with a little paint: transparent, stands as the brush left it, and dries overnight.</source>
-        <translation>絵の具を少し混ぜた透明ジェル。透けて、筆が置いたままに立ち、一晩で乾く。</translation>
+        <translation>絵具を少し混ぜた透明ジェル。透けて、筆が置いたままに立ち、一晩で乾く。</translation>
     </message>
     <message>
         <source>linseed oil</source>
@@ -3663,7 +3802,7 @@
     </message>
     <message>
         <source>Paint let down with linseed oil, long and buttery: brush marks soften, and thick passages sag slowly.</source>
-        <translation>リンシードオイルでのばした、伸びのよいバターのような絵の具。筆跡はやわらぎ、厚い部分はゆっくり垂れる。</translation>
+        <translation>リンシードオイルでのばした、伸びのよいバターのような絵具。筆跡はやわらぎ、厚い部分はゆっくり垂れる。</translation>
     </message>
     <message>
         <source>stand oil</source>
@@ -3671,7 +3810,7 @@
     </message>
     <message>
         <source>Paint in thickened oil, smooth as enamel: brush marks flow out, and it runs in slow, round tears.</source>
-        <translation>スタンドオイルで練った、エナメルのようになめらかな絵の具。筆跡は消え、ゆっくりと丸い涙になって流れる。</translation>
+        <translation>スタンドオイルで練った、エナメルのようになめらかな絵具。筆跡は消え、ゆっくりと丸い涙になって流れる。</translation>
     </message>
     <message>
         <source>thin oil</source>
@@ -3739,7 +3878,7 @@
     </message>
     <message>
         <source>How far wet paint carries it in a light hand, off the ground.</source>
-        <translation>軽い手のとき、濡れた絵の具が下地からどれだけ浮かせるか。</translation>
+        <translation>軽い手のとき、濡れた絵具が下地からどれだけ浮かせるか。</translation>
     </message>
     <message>
         <source>Wet film that a full brush leaves.</source>
@@ -3747,7 +3886,7 @@
     </message>
     <message>
         <source>Stroke that a full load lasts.</source>
-        <translation>いっぱいに含んだ絵の具で描ける長さ。</translation>
+        <translation>いっぱいに含んだ絵具で描ける長さ。</translation>
     </message>
     <message>
         <source>Ridges between bristles, in films.</source>
@@ -3775,19 +3914,19 @@
     </message>
     <message>
         <source>Share of the load that stays on lifting.</source>
-        <translation>持ち上げたときに残していく絵の具の割合。</translation>
+        <translation>持ち上げたときに残していく絵具の割合。</translation>
     </message>
     <message>
         <source>Depth that hanging paint bridges, in films.</source>
-        <translation>垂れた絵の具が届く深さ（膜の厚みを 1 とする）。</translation>
+        <translation>垂れた絵具が届く深さ（膜の厚みを 1 とする）。</translation>
     </message>
     <message>
         <source>Share of the paint in the way that is taken up.</source>
-        <translation>行く手の絵の具を拾う割合。</translation>
+        <translation>行く手の絵具を拾う割合。</translation>
     </message>
     <message>
         <source>How fast it mixes with the paint below.</source>
-        <translation>下の絵の具と混ざる速さ。</translation>
+        <translation>下の絵具と混ざる速さ。</translation>
     </message>
     <message>
         <source>Exchange between neighbouring hairs.</source>
@@ -3795,11 +3934,11 @@
     </message>
     <message>
         <source>How far a fast stroke drags paint along and ploughs it aside.</source>
-        <translation>速いストロークが絵の具を引きずり、脇へ押しのける程度。</translation>
+        <translation>速いストロークが絵具を引きずり、脇へ押しのける程度。</translation>
     </message>
     <message>
         <source>Fill above which paint is pushed out sideways.</source>
-        <translation>これを超えて含むと絵の具が脇へ押し出される。</translation>
+        <translation>これを超えて含むと絵具が脇へ押し出される。</translation>
     </message>
     <message>
         <source>Step, in radii of an element.</source>
@@ -3827,7 +3966,7 @@
     </message>
     <message>
         <source>Paint let go while the pen is down.</source>
-        <translation>ペンを下ろしている間に出る絵の具。</translation>
+        <translation>ペンを下ろしている間に出る絵具。</translation>
     </message>
     <message>
         <source>A drop let go when the pen comes down.</source>
@@ -3853,6 +3992,54 @@
         <source>Pressure in the middle of the jet.</source>
         <translation>噴流の中央の圧力。</translation>
     </message>
+    <message>
+        <source>Calligraphy nib 3</source>
+        <translation>カリグラフィーペン 3</translation>
+    </message>
+    <message>
+        <source>Charcoal 8</source>
+        <translation>木炭 8</translation>
+    </message>
+    <message>
+        <source>Marbling comb 80</source>
+        <translation>マーブリング櫛 80</translation>
+    </message>
+    <message>
+        <source>Oil pastel 10</source>
+        <translation>オイルパステル 10</translation>
+    </message>
+    <message>
+        <source>Roller 50</source>
+        <translation>ローラー 50</translation>
+    </message>
+    <message>
+        <source>Ruling pen 1</source>
+        <translation>烏口 1</translation>
+    </message>
+    <message>
+        <source>Sponge 45</source>
+        <translation>スポンジ 45</translation>
+    </message>
+    <message>
+        <source>Squeegee 120</source>
+        <translation>スキージー 120</translation>
+    </message>
+    <message>
+        <source>Width of a comb&apos;s tooth, in distances of its teeth.</source>
+        <translation>櫛の歯の幅。歯の間隔を1とする。</translation>
+    </message>
+    <message>
+        <source>Depth of a sponge&apos;s pores.</source>
+        <translation>スポンジの穴の深さ。</translation>
+    </message>
+    <message>
+        <source>Way round a roller, after which its mark comes again; 0: it does not roll.</source>
+        <translation>ローラーの一周の長さ。その後に同じ跡が繰り返す。0: 転がらない。</translation>
+    </message>
+    <message>
+        <source>0: levels the hollows that it reaches, 1: coats the grain alone.</source>
+        <translation>0: 届くくぼみを埋める。1: 目の山だけに付く。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::commands</name>
@@ -3870,7 +4057,7 @@
     </message>
     <message>
         <source>&amp;Paint</source>
-        <translation>絵の具(&amp;P)</translation>
+        <translation>絵具(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Layer</source>
@@ -3910,7 +4097,7 @@
     </message>
     <message>
         <source>Go on with a painting that was saved, wet as it was</source>
-        <translation>保存した作品の続きを、濡れた絵の具もそのままに描く</translation>
+        <translation>保存した作品の続きを、濡れた絵具もそのままに描く</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -3918,7 +4105,7 @@
     </message>
     <message>
         <source>Save the painting with all its wet paint</source>
-        <translation>作品を濡れた絵の具ごと保存する</translation>
+        <translation>作品を濡れた絵具ごと保存する</translation>
     </message>
     <message>
         <source>Save &amp;as...</source>
@@ -4046,7 +4233,7 @@
     </message>
     <message>
         <source>Clean the brush and fill it with the paint</source>
-        <translation>ブラシを洗い、絵の具をたっぷり含ませる</translation>
+        <translation>ブラシを洗い、絵具をたっぷり含ませる</translation>
     </message>
     <message>
         <source>&amp;Top up</source>
@@ -4054,7 +4241,7 @@
     </message>
     <message>
         <source>Dip the brush without cleaning it: what it holds stays on it</source>
-        <translation>ブラシを洗わずに絵の具を付ける。含んでいた絵の具は残る</translation>
+        <translation>ブラシを洗わずに絵具を付ける。含んでいた絵具は残る</translation>
     </message>
     <message>
         <source>B&amp;lot</source>
@@ -4062,7 +4249,7 @@
     </message>
     <message>
         <source>Press the brush into a cloth: a quarter of its paint stays on it</source>
-        <translation>ブラシを布に押し当てる。絵の具は4分の1だけ残る</translation>
+        <translation>ブラシを布に押し当てる。絵具は4分の1だけ残る</translation>
     </message>
     <message>
         <source>&amp;Clean</source>
@@ -4070,23 +4257,23 @@
     </message>
     <message>
         <source>Wipe the brush: an empty one moves the paint that lies there</source>
-        <translation>ブラシを拭う。空のブラシはその場の絵の具を動かす</translation>
+        <translation>ブラシを拭う。空のブラシはその場の絵具を動かす</translation>
     </message>
     <message>
         <source>S&amp;wap the two paints</source>
-        <translation>2つの絵の具を入れ替え(&amp;W)</translation>
+        <translation>2つの絵具を入れ替え(&amp;W)</translation>
     </message>
     <message>
         <source>Dip the brush in the second paint; the first takes its place</source>
-        <translation>ブラシに2番目の絵の具を付ける。今の絵の具が2番目になる</translation>
+        <translation>ブラシに2番目の絵具を付ける。今の絵具が2番目になる</translation>
     </message>
     <message>
         <source>P&amp;ick up the paint there</source>
-        <translation>その場の絵の具を取る(&amp;I)</translation>
+        <translation>その場の絵具を取る(&amp;I)</translation>
     </message>
     <message>
         <source>The next click dips the brush in the mixture of pigments that lies there; so does Ctrl and a click</source>
-        <translation>次にクリックした場所にある、顔料の混ざった絵の具をブラシに付ける。Ctrl+クリックでも同じ</translation>
+        <translation>次にクリックした場所にある、顔料の混ざった絵具をブラシに付ける。Ctrl+クリックでも同じ</translation>
     </message>
     <message>
         <source>Pick the c&amp;olour seen there</source>
@@ -4094,7 +4281,7 @@
     </message>
     <message>
         <source>The next click makes paint of the colour that is seen there; so does Alt and a click</source>
-        <translation>次にクリックした場所に見えている色の絵の具を作る。Alt+クリックでも同じ</translation>
+        <translation>次にクリックした場所に見えている色の絵具を作る。Alt+クリックでも同じ</translation>
     </message>
     <message>
         <source>Reload before &amp;each stroke</source>
@@ -4102,7 +4289,7 @@
     </message>
     <message>
         <source>Every stroke starts with a clean, full brush</source>
-        <translation>毎回、きれいなブラシに絵の具をたっぷり含ませて描き始める</translation>
+        <translation>毎回、きれいなブラシに絵具をたっぷり含ませて描き始める</translation>
     </message>
     <message>
         <source>&amp;Turn with the stroke</source>
@@ -4138,11 +4325,11 @@
     </message>
     <message>
         <source>&amp;Pause the paint</source>
-        <translation>絵の具を一時停止(&amp;P)</translation>
+        <translation>絵具を一時停止(&amp;P)</translation>
     </message>
     <message>
         <source>Wet paint stands still until you go on</source>
-        <translation>再開するまで濡れた絵の具を止めておく</translation>
+        <translation>再開するまで濡れた絵具を止めておく</translation>
     </message>
     <message>
         <source>&amp;Dry now</source>
@@ -4150,7 +4337,7 @@
     </message>
     <message>
         <source>All wet paint dries at once: paint over it without stirring it up</source>
-        <translation>濡れた絵の具をすべて一度に乾かす。下の絵の具を動かさずに塗り重ねられる</translation>
+        <translation>濡れた絵具をすべて一度に乾かす。下の絵具を動かさずに塗り重ねられる</translation>
     </message>
     <message>
         <source>Mixing &amp;well</source>
@@ -4158,15 +4345,15 @@
     </message>
     <message>
         <source>A palette of wet paint: mix there with any tool, and carry it to the canvas</source>
-        <translation>濡れた絵の具のパレット。どのツールでも混ぜられ、キャンバスに運べる</translation>
+        <translation>濡れた絵具のパレット。どのツールでも混ぜられ、キャンバスに運べる</translation>
     </message>
     <message>
         <source>&amp;Squeeze onto the well</source>
-        <translation>混色皿に絵の具を出す(&amp;S)</translation>
+        <translation>混色皿に絵具を出す(&amp;S)</translation>
     </message>
     <message>
         <source>Squeeze the paint that you chose onto the mixing well; Control and click says where</source>
-        <translation>選んだ絵の具を混色皿に絞り出す。Ctrl+クリックで場所を決める</translation>
+        <translation>選んだ絵具を混色皿に絞り出す。Ctrl+クリックで場所を決める</translation>
     </message>
     <message>
         <source>&amp;Clean the well</source>
@@ -4190,7 +4377,7 @@
     </message>
     <message>
         <source>Put a picture onto the canvas as a layer of dry paint</source>
-        <translation>画像を乾いた絵の具のレイヤーとしてキャンバスに置く</translation>
+        <translation>画像を乾いた絵具のレイヤーとしてキャンバスに置く</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
@@ -4198,7 +4385,7 @@
     </message>
     <message>
         <source>The same paint once more, on a layer above</source>
-        <translation>同じ絵の具をもう一つ、上のレイヤーに作る</translation>
+        <translation>同じ絵具をもう一つ、上のレイヤーに作る</translation>
     </message>
     <message>
         <source>Na&amp;me...</source>
@@ -4214,7 +4401,7 @@
     </message>
     <message>
         <source>Take the layer away with all its paint</source>
-        <translation>レイヤーを絵の具ごと取り除く</translation>
+        <translation>レイヤーを絵具ごと取り除く</translation>
     </message>
     <message>
         <source>&amp;Clear</source>
@@ -4222,7 +4409,7 @@
     </message>
     <message>
         <source>Wipe all paint off the layer</source>
-        <translation>レイヤーの絵の具をすべて拭き取る</translation>
+        <translation>レイヤーの絵具をすべて拭き取る</translation>
     </message>
     <message>
         <source>&amp;Transform</source>
@@ -4230,7 +4417,7 @@
     </message>
     <message>
         <source>Move, scale, turn and mirror the layer&apos;s paint, or what is selected of it, by a frame</source>
-        <translation>レイヤーまたは選択範囲の絵の具を、枠を使って移動、拡大縮小、回転、反転する</translation>
+        <translation>レイヤーまたは選択範囲の絵具を、枠を使って移動、拡大縮小、回転、反転する</translation>
     </message>
     <message>
         <source>M&amp;erge down</source>
@@ -4238,7 +4425,7 @@
     </message>
     <message>
         <source>Put the layer&apos;s paint on the layer below, and make them one</source>
-        <translation>レイヤーの絵の具を下のレイヤーに重ね、一つにする</translation>
+        <translation>レイヤーの絵具を下のレイヤーに重ね、一つにする</translation>
     </message>
     <message>
         <source>&amp;Flatten what is visible</source>
@@ -4350,7 +4537,7 @@
     </message>
     <message>
         <source>Select where the paint stands so high above the bare canvas</source>
-        <translation>絵の具の盛り上がりが指定した高さの部分を選択する</translation>
+        <translation>絵具の盛り上がりが指定した高さの部分を選択する</translation>
     </message>
     <message>
         <source>By &amp;wetness...</source>
@@ -4358,7 +4545,7 @@
     </message>
     <message>
         <source>Select where the wet paint of the layer is so thick</source>
-        <translation>レイヤーの濡れた絵の具が指定した厚さの部分を選択する</translation>
+        <translation>レイヤーの濡れた絵具が指定した厚さの部分を選択する</translation>
     </message>
     <message>
         <source>Show the &amp;outline</source>
@@ -4438,11 +4625,11 @@
     </message>
     <message>
         <source>Lay a picture below the paint, and beside the canvas; it is in no picture that you save</source>
-        <translation>画像を絵の具の下とキャンバスの横に置く。保存する画像には含まれない</translation>
+        <translation>画像を絵具の下とキャンバスの横に置く。保存する画像には含まれない</translation>
     </message>
     <message>
         <source>&amp;Show it below the paint</source>
-        <translation>絵の具の下に表示(&amp;S)</translation>
+        <translation>絵具の下に表示(&amp;S)</translation>
     </message>
     <message>
         <source>Show or hide the picture that you trace</source>
@@ -4542,7 +4729,7 @@
     </message>
     <message>
         <source>The paint as it hangs in its light</source>
-        <translation>光の中に置いた絵の具の見え方</translation>
+        <translation>光の中に置いた絵具の見え方</translation>
     </message>
     <message>
         <source>Show &amp;wet</source>
@@ -4558,7 +4745,7 @@
     </message>
     <message>
         <source>How high the paint stands above the bare canvas, in steps of colour</source>
-        <translation>何もないキャンバスから絵の具がどれだけ盛り上がっているかを色分けで表示</translation>
+        <translation>何もないキャンバスから絵具がどれだけ盛り上がっているかを色分けで表示</translation>
     </message>
     <message>
         <source>Show &amp;normals</source>
@@ -4574,7 +4761,7 @@
     </message>
     <message>
         <source>The paint&apos;s colours alone, without light and relief</source>
-        <translation>光も凹凸もない、絵の具の色だけの表示</translation>
+        <translation>光も凹凸もない、絵具の色だけの表示</translation>
     </message>
     <message>
         <source>&amp;Tool panel</source>
@@ -4582,7 +4769,7 @@
     </message>
     <message>
         <source>What the brush holds, and how it answers to the hand</source>
-        <translation>ブラシが含む絵の具と、手の動きへの反応</translation>
+        <translation>ブラシが含む絵具と、手の動きへの反応</translation>
     </message>
     <message>
         <source>&amp;Colour panel</source>
@@ -4590,7 +4777,7 @@
     </message>
     <message>
         <source>A paint of any colour, and its recipe from the tubes</source>
-        <translation>好きな色の絵の具と、チューブから作る配合</translation>
+        <translation>好きな色の絵具と、チューブから作る配合</translation>
     </message>
     <message>
         <source>P&amp;hysics panel</source>
@@ -4598,7 +4785,7 @@
     </message>
     <message>
         <source>What the paint is like: how it flows, holds and dries</source>
-        <translation>絵の具の性質。流れ方、形の保ち方、乾き方</translation>
+        <translation>絵具の性質。流れ方、形の保ち方、乾き方</translation>
     </message>
     <message>
         <source>&amp;Guides panel</source>
@@ -4758,7 +4945,7 @@
     </message>
     <message>
         <source>Tools and paints around the pointer; so does a right click on the canvas</source>
-        <translation>ポインターのまわりにツールと絵の具を表示する。キャンバスの右クリックでも同じ</translation>
+        <translation>ポインターのまわりにツールと絵具を表示する。キャンバスの右クリックでも同じ</translation>
     </message>
     <message>
         <source>&amp;Navigator</source>
@@ -5066,7 +5253,7 @@
     </message>
     <message>
         <source>Watch slow paint run, level and dry: up to 20 times as fast</source>
-        <translation>ゆっくりした絵の具が流れ、ならされ、乾くのを見る。20倍まで</translation>
+        <translation>ゆっくりした絵具が流れ、ならされ、乾くのを見る。20倍まで</translation>
     </message>
     <message>
         <source>Time runs s&amp;lower</source>
@@ -5082,7 +5269,7 @@
     </message>
     <message>
         <source>A second of the paint takes a second again</source>
-        <translation>絵の具の1秒がまた1秒になる</translation>
+        <translation>絵具の1秒がまた1秒になる</translation>
     </message>
     <message>
         <source>&amp;Hold it tilted</source>
@@ -5098,15 +5285,15 @@
     </message>
     <message>
         <source>Thin the paint in hand by a quarter, from paste towards a stain</source>
-        <translation>手元の絵の具を4分の1うすめ、ペーストからステインへ近づける</translation>
+        <translation>手元の絵具を4分の1うすめ、ペーストからステインへ近づける</translation>
     </message>
     <message>
         <source>More p&amp;aint</source>
-        <translation>絵の具を増やす(&amp;A)</translation>
+        <translation>絵具を増やす(&amp;A)</translation>
     </message>
     <message>
         <source>Take a step back towards paint from the tube</source>
-        <translation>チューブから出した絵の具へ一段戻す</translation>
+        <translation>チューブから出した絵具へ一段戻す</translation>
     </message>
     <message>
         <source>Thin was&amp;h</source>
@@ -5114,7 +5301,7 @@
     </message>
     <message>
         <source>Thin the paint in hand to a wash for a first lay-in, and back</source>
-        <translation>手元の絵の具を下塗り用にごく薄くし、もう一度で元に戻す</translation>
+        <translation>手元の絵具を下塗り用にごく薄くし、もう一度で元に戻す</translation>
     </message>
     <message>
         <source>Po&amp;ur</source>
@@ -5290,27 +5477,27 @@
     </message>
     <message>
         <source>F&amp;ill with the paint in hand</source>
-        <translation>手にした絵の具で塗りつぶす(&amp;I)</translation>
+        <translation>手にした絵具で塗りつぶす(&amp;I)</translation>
     </message>
     <message>
         <source>Pour an even film of wet paint over what is selected, or over the whole canvas</source>
-        <translation>選択範囲、またはキャンバス全体に、濡れた絵の具を均一な厚さで流す</translation>
+        <translation>選択範囲、またはキャンバス全体に、濡れた絵具を均一な厚さで流す</translation>
     </message>
     <message>
         <source>Fill with the s&amp;econd paint</source>
-        <translation>2番目の絵の具で塗りつぶす(&amp;E)</translation>
+        <translation>2番目の絵具で塗りつぶす(&amp;E)</translation>
     </message>
     <message>
         <source>Pour an even film of the second paint over what is selected</source>
-        <translation>選択範囲に2番目の絵の具を均一な厚さで流す</translation>
+        <translation>選択範囲に2番目の絵具を均一な厚さで流す</translation>
     </message>
     <message>
         <source>&amp;Gradient of the two paints</source>
-        <translation>2つの絵の具のグラデーション(&amp;G)</translation>
+        <translation>2つの絵具のグラデーション(&amp;G)</translation>
     </message>
     <message>
         <source>Drag a line: the film goes from the paint in hand to the second one along it</source>
-        <translation>線をドラッグすると、それに沿って手にした絵の具から2番目の絵の具へ移り変わる</translation>
+        <translation>線をドラッグすると、それに沿って手にした絵具から2番目の絵具へ移り変わる</translation>
     </message>
     <message>
         <source>&amp;Thickness of fills...</source>
@@ -5318,7 +5505,7 @@
     </message>
     <message>
         <source>How thick a film of paint fills and gradients pour</source>
-        <translation>塗りつぶしとグラデーションで流す絵の具の厚さ</translation>
+        <translation>塗りつぶしとグラデーションで流す絵具の厚さ</translation>
     </message>
     <message>
         <source>Elli&amp;pse</source>
@@ -5382,7 +5569,7 @@
     </message>
     <message>
         <source>Select where the layer has paint, wet or dry</source>
-        <translation>レイヤーに絵の具がある部分を、濡れていても乾いていても選択する</translation>
+        <translation>レイヤーに絵具がある部分を、濡れていても乾いていても選択する</translation>
     </message>
     <message>
         <source>Brush e&amp;ditor...</source>
@@ -5415,6 +5602,170 @@
     <message>
         <source>Write all tools of your own into a bundle, a file to keep or to give away</source>
         <translation>自分のツールすべてを一つのバンドルファイルに書き出す。保存や配布に</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>ウィンドウ(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Save a &amp;version</source>
+        <translation>バージョンを保存(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Go on in a file of the next number beside this one, which stays as it is</source>
+        <translation>次の番号のファイルを隣に作って描き続ける。今のファイルはそのまま残る</translation>
+    </message>
+    <message>
+        <source>Close the pain&amp;ting</source>
+        <translation>絵を閉じる(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Put the painting away; the start page says what there is to go on with</source>
+        <translation>絵を片付ける。スタートページに、次に描けるものが並ぶ</translation>
+    </message>
+    <message>
+        <source>Scale image to &amp;new size...</source>
+        <translation>画像を新しいサイズに変更(&amp;N)...</translation>
+    </message>
+    <message>
+        <source>Draw the whole painting out, or make it of finer or coarser pixels</source>
+        <translation>作品全体を拡大・縮小する。または画素を細かく、粗くする</translation>
+    </message>
+    <message>
+        <source>Toned g&amp;round...</source>
+        <translation>有色下地(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>Cover the whole canvas with a dry coat of the paint in hand, below all layers</source>
+        <translation>手持ちの絵具の乾いた層で、すべてのレイヤーの下からキャンバス全体を覆う</translation>
+    </message>
+    <message>
+        <source>Full scr&amp;een</source>
+        <translation>全画面(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The window on the whole screen, without the bars of the desktop</source>
+        <translation>デスクトップのバーなしで、ウィンドウを画面いっぱいに表示する</translation>
+    </message>
+    <message>
+        <source>S&amp;quint</source>
+        <translation>目を細めて見る(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>The painting as with half-closed eyes: large shapes without their details</source>
+        <translation>目を細めたように絵を見る。細部のない大きな形だけが見える</translation>
+    </message>
+    <message>
+        <source>&amp;Brushes panel</source>
+        <translation>ブラシパネル(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The tools to paint with, how wide they are and how steady they keep</source>
+        <translation>描くツール、その幅と手ぶれの抑え方</translation>
+    </message>
+    <message>
+        <source>&amp;Paints panel</source>
+        <translation>絵具パネル(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The tubes of paint</source>
+        <translation>絵具のチューブ</translation>
+    </message>
+    <message>
+        <source>&amp;Easel panel</source>
+        <translation>イーゼルパネル(&amp;E)</translation>
+    </message>
+    <message>
+        <source>How the canvas stands, where the lamp is, and how fast paint dries</source>
+        <translation>キャンバスの立て方、ランプの位置、絵具の乾く速さ</translation>
+    </message>
+    <message>
+        <source>T&amp;ool bar</source>
+        <translation>ツールバー(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The bar of buttons; drag it by its end to another side, or off the window</source>
+        <translation>ボタンのバー。端をつかんで別の辺へ、またはウィンドウの外へドラッグできる</translation>
+    </message>
+    <message>
+        <source>&amp;New window</source>
+        <translation>新しいウィンドウ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Another window, with an easel of its own</source>
+        <translation>別のイーゼルを持つ、もう一つのウィンドウ</translation>
+    </message>
+    <message>
+        <source>S&amp;ketch</source>
+        <translation>スケッチ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Brushes and paints beside a large canvas, and nothing else</source>
+        <translation>大きなキャンバスの横に、ブラシと絵具だけ</translation>
+    </message>
+    <message>
+        <source>&amp;Oil</source>
+        <translation>油彩(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Brushes, paints and easel beside the tool and the layers</source>
+        <translation>ブラシ、絵具、イーゼル、それにツールとレイヤー</translation>
+    </message>
+    <message>
+        <source>&amp;Mixing</source>
+        <translation>混色(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Paints, colours and what the paint is like, beside a large mixing well</source>
+        <translation>大きな混色皿の横に、絵具、色、絵具の性質</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>書き出し(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Lights, layers, the whole canvas and its recording, to finish a painting</source>
+        <translation>光、レイヤー、キャンバス全体とその記録。絵を仕上げるときに</translation>
+    </message>
+    <message>
+        <source>&amp;Save the workspace...</source>
+        <translation>ワークスペースを保存(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>Keep the panels as they stand now, under a name of your own</source>
+        <translation>パネルの今の並びに名前を付けて残す</translation>
+    </message>
+    <message>
+        <source>&amp;Rename the workspace...</source>
+        <translation>ワークスペースの名前を変更(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>Give your own workspace that is in use another name</source>
+        <translation>使っている自分のワークスペースの名前を変える</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve the workspace</source>
+        <translation>ワークスペースを削除(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Forget your own workspace that is in use; the panels stay as they stand</source>
+        <translation>使っている自分のワークスペースを忘れる。パネルはそのまま</translation>
+    </message>
+    <message>
+        <source>&amp;Left-handed</source>
+        <translation>左利き(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What stands on the left changes places with what stands on the right</source>
+        <translation>左側と右側のパネルを入れ替える</translation>
+    </message>
+    <message>
+        <source>Show me &amp;round</source>
+        <translation>案内を見る(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Three steps: paint, move the canvas, take other paint</source>
+        <translation>三つの手順: 描く、キャンバスを動かす、絵具を替える</translation>
     </message>
 </context>
 <context>
@@ -5522,7 +5873,7 @@
     </message>
     <message>
         <source>Cut off: %1. What lies there is wiped off.</source>
-        <translation>切り取り: %1。そこにある絵の具は拭き取られます。</translation>
+        <translation>切り取り: %1。そこにある絵具は拭き取られます。</translation>
     </message>
     <message>
         <source>Canvas size</source>
@@ -5641,7 +5992,7 @@
     </message>
     <message>
         <source>The paint as it stands on the canvas: a closed solid in millimetres.</source>
-        <translation>キャンバス上に盛り上がった絵の具を、ミリメートル単位の閉じた立体にします。</translation>
+        <translation>キャンバス上に盛り上がった絵具を、ミリメートル単位の閉じた立体にします。</translation>
     </message>
     <message>
         <source>How the painting came about. It is painted once more, which takes a while.</source>
@@ -5713,7 +6064,7 @@
     </message>
     <message>
         <source>As the window shows the painting; otherwise the paint&apos;s own colours, as a scan would have them</source>
-        <translation>ウィンドウで見たとおりの作品。オフにすると、スキャンしたような絵の具そのものの色になる</translation>
+        <translation>ウィンドウで見たとおりの作品。オフにすると、スキャンしたような絵具そのものの色になる</translation>
     </message>
     <message>
         <source> px wide</source>
@@ -5825,7 +6176,7 @@
     </message>
     <message>
         <source>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
-        <translation>描き直すキャンバスの1ミリメートルあたりのセル数。多いほど絵の具が細かく描かれ、時間がかかる。0は描いたときと同じ</translation>
+        <translation>描き直すキャンバスの1ミリメートルあたりのセル数。多いほど絵具が細かく描かれ、時間がかかる。0は描いたときと同じ</translation>
     </message>
     <message>
         <source>as it was painted</source>
@@ -6075,6 +6426,57 @@
     </message>
 </context>
 <context>
+    <name>pastoso::dialogs::ScaleDialog</name>
+    <message>
+        <source>Paint keeps its thickness, so that there is %1 times as much of it.</source>
+        <translation>絵具の厚みは変わらないので、量は %1 倍になります。</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;proportions</source>
+        <translation>縦横比を保つ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Scale the image</source>
+        <translation>画像の拡大・縮小</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in</source>
+        <translation>ほかの単位でも入力できます: 50 cm、20 in</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>dpi でも入力できます: 127 dpi</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>解像度</translation>
+    </message>
+    <message>
+        <source>The image has this size and this resolution.</source>
+        <translation>画像はすでにこのサイズと解像度です。</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
+        <translation>%1 × %2 ピクセル、%3 dpi の画像になります。全体が濡れているときは最大 %4 MiB のメモリーを使います。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::dialogs::SelectRangeDialog</name>
     <message>
         <source>Select it</source>
@@ -6201,11 +6603,11 @@
     </message>
     <message>
         <source>How many things the program works on at once, from the next painting on. The paint flows the same with any number.</source>
-        <translation>同時に行う処理の数。次の作品から有効になります。いくつにしても絵の具の流れ方は同じです。</translation>
+        <translation>同時に行う処理の数。次の作品から有効になります。いくつにしても絵具の流れ方は同じです。</translation>
     </message>
     <message>
         <source>How carefully moving paint is shown follows from how fast this machine draws; what stands still is always shown in full.</source>
-        <translation>動いている絵の具をどこまで細かく表示するかは、コンピューターの描画速度で決まります。止まっている絵の具は常に完全に表示されます。</translation>
+        <translation>動いている絵具をどこまで細かく表示するかは、コンピューターの描画速度で決まります。止まっている絵具は常に完全に表示されます。</translation>
     </message>
     <message numerus="yes">
         <source> minute(s)</source>
@@ -6338,7 +6740,7 @@
     </message>
     <message>
         <source>Left and right of the paint change places, before it is turned</source>
-        <translation>回転の前に、絵の具の左右を入れ替える</translation>
+        <translation>回転の前に、絵具の左右を入れ替える</translation>
     </message>
     <message>
         <source>Up–down</source>
@@ -6346,7 +6748,7 @@
     </message>
     <message>
         <source>Above and below change places, before the paint is turned</source>
-        <translation>回転の前に、絵の具の上下を入れ替える</translation>
+        <translation>回転の前に、絵具の上下を入れ替える</translation>
     </message>
     <message>
         <source>Mirror</source>
@@ -6358,15 +6760,15 @@
     </message>
     <message>
         <source>The paint keeps its thickness and its amount.</source>
-        <translation>絵の具の厚さと量は変わりません。</translation>
+        <translation>絵具の厚さと量は変わりません。</translation>
     </message>
     <message>
         <source>The paint keeps its thickness: %1 % of it will be there.</source>
-        <translation>絵の具の厚さは変わらず、量は %1 % になります。</translation>
+        <translation>絵具の厚さは変わらず、量は %1 % になります。</translation>
     </message>
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
-        <translation>キャンバスからはみ出した絵の具は拭き取られます。</translation>
+        <translation>キャンバスからはみ出した絵具は拭き取られます。</translation>
     </message>
 </context>
 <context>
@@ -6381,7 +6783,7 @@
     </message>
     <message>
         <source>Paint squeezed out</source>
-        <translation>絵の具の絞り出し</translation>
+        <translation>絵具の絞り出し</translation>
     </message>
     <message>
         <source>Mixing well wiped</source>
@@ -6449,7 +6851,7 @@
     </message>
     <message>
         <source>Picture as paint</source>
-        <translation>画像を絵の具として追加</translation>
+        <translation>画像を絵具として追加</translation>
     </message>
     <message>
         <source>Picture to trace</source>
@@ -6465,7 +6867,15 @@
     </message>
     <message>
         <source>Filled with paint</source>
-        <translation>絵の具で塗りつぶし</translation>
+        <translation>絵具で塗りつぶし</translation>
+    </message>
+    <message>
+        <source>Painting scaled</source>
+        <translation>作品の拡大・縮小</translation>
+    </message>
+    <message>
+        <source>Ground toned</source>
+        <translation>下地の着色</translation>
     </message>
 </context>
 <context>
@@ -7352,6 +7762,33 @@
     </message>
 </context>
 <context>
+    <name>pastoso::help::TourBubble</name>
+    <message>
+        <source>Skip the tour</source>
+        <translation>案内を終える</translation>
+    </message>
+    <message>
+        <source>Go on with the tour</source>
+        <translation>案内を続ける</translation>
+    </message>
+    <message>
+        <source>Leave the tour, as Escape does; &quot;Show me round&quot; in the &quot;Help&quot; menu brings it back</source>
+        <translation>案内を終える（Esc でも同じ）。「ヘルプ」メニューの「案内を見る」でまた見られます</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -7435,7 +7872,7 @@
     </message>
     <message>
         <source>Pick paint</source>
-        <translation>絵の具を取る</translation>
+        <translation>絵具を取る</translation>
     </message>
     <message>
         <source>Pick colour</source>
@@ -7467,7 +7904,7 @@
     </message>
     <message>
         <source>Below the paint</source>
-        <translation>絵の具の下に表示</translation>
+        <translation>絵具の下に表示</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -7625,6 +8062,18 @@
         <source>Paint it again, finer...</source>
         <translation>再描画...</translation>
     </message>
+    <message>
+        <source>Brushes</source>
+        <translation>ブラシ</translation>
+    </message>
+    <message>
+        <source>Paints</source>
+        <translation>絵具</translation>
+    </message>
+    <message>
+        <source>Easel</source>
+        <translation>イーゼル</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -7771,11 +8220,11 @@
     </message>
     <message>
         <source>Put it on a &amp;layer, as dry paint</source>
-        <translation>乾いた絵の具としてレイヤーに置く(&amp;L)</translation>
+        <translation>乾いた絵具としてレイヤーに置く(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Trace it, below the paint</source>
-        <translation>下絵として絵の具の下に置く(&amp;T)</translation>
+        <translation>下絵として絵具の下に置く(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;New canvas made of it</source>
@@ -7903,7 +8352,7 @@
     </message>
     <message>
         <source>Drag a line from the paint in hand to the second paint; Shift keeps it level, upright or halfway. Esc, or taking a tool, goes back to painting.</source>
-        <translation>手にした絵の具から2番目の絵の具へ線をドラッグします。Shiftで水平、垂直、斜め45度に揃います。Escを押すか、ツールを選ぶと描画に戻ります。</translation>
+        <translation>手にした絵具から2番目の絵具へ線をドラッグします。Shiftで水平、垂直、斜め45度に揃います。Escを押すか、ツールを選ぶと描画に戻ります。</translation>
     </message>
     <message>
         <source>The brush paints again.</source>
@@ -7911,15 +8360,15 @@
     </message>
     <message>
         <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>記録を再生中です。終わると絵の具を使えます。</translation>
+        <translation>記録を再生中です。終わると絵具を使えます。</translation>
     </message>
     <message>
         <source>%1 mm of paint are poured over the whole canvas.</source>
-        <translation>キャンバス全体に%1 mmの絵の具を流します。</translation>
+        <translation>キャンバス全体に%1 mmの絵具を流します。</translation>
     </message>
     <message>
         <source>%1 mm of paint are poured over what is selected.</source>
-        <translation>選択範囲に%1 mmの絵の具を流します。</translation>
+        <translation>選択範囲に%1 mmの絵具を流します。</translation>
     </message>
     <message>
         <source>Thickness of fills</source>
@@ -7927,7 +8376,7 @@
     </message>
     <message>
         <source>Fills and gradients pour an even film of wet paint, as thick as this: 0.05 mm shows what lies below, 0.2 mm covers, 1 mm stands as a paste.</source>
-        <translation>塗りつぶしとグラデーションは、濡れた絵の具をこの厚さで均一に流します。0.05 mmでは下が透け、0.2 mmで覆い、1 mmではペーストのように盛り上がります。</translation>
+        <translation>塗りつぶしとグラデーションは、濡れた絵具をこの厚さで均一に流します。0.05 mmでは下が透け、0.2 mmで覆い、1 mmではペーストのように盛り上がります。</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -7936,6 +8385,22 @@
     <message>
         <source>Keep</source>
         <translation>保持</translation>
+    </message>
+    <message>
+        <source>Toned ground</source>
+        <translation>有色下地</translation>
+    </message>
+    <message>
+        <source>An even coat of the paint in hand covers the whole canvas, dry at once, on a layer below all others: 0.02 mm tints the canvas, 0.1 mm covers it.</source>
+        <translation>手持ちの絵具の均一な層がキャンバス全体を覆い、すぐに乾きます。ほかのすべてより下のレイヤーになります。0.02 mm なら薄く色づき、0.1 mm なら覆い隠します。</translation>
+    </message>
+    <message>
+        <source>Tone the ground</source>
+        <translation>下地をつける</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>下地</translation>
     </message>
 </context>
 <context>
@@ -7990,11 +8455,11 @@
     </message>
     <message>
         <source>There is no paint on this layer.</source>
-        <translation>このレイヤーには絵の具がありません。</translation>
+        <translation>このレイヤーには絵具がありません。</translation>
     </message>
     <message>
         <source>There is no paint of this layer in the selection.</source>
-        <translation>選択範囲の中に、このレイヤーの絵の具がありません。</translation>
+        <translation>選択範囲の中に、このレイヤーの絵具がありません。</translation>
     </message>
     <message>
         <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</source>
@@ -8002,7 +8467,7 @@
     </message>
     <message>
         <source>The paint stays as it is.</source>
-        <translation>絵の具はそのままです。</translation>
+        <translation>絵具はそのままです。</translation>
     </message>
 </context>
 <context>
@@ -8039,14 +8504,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::NewWindow</name>
+    <message>
+        <source>%1 cannot be started: there is no other window.</source>
+        <translation>%1 を起動できません。もう一つのウィンドウは開きません。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
-        <translation>濡れた絵の具を取りました: %1</translation>
+        <translation>濡れた絵具を取りました: %1</translation>
     </message>
     <message>
         <source>Picked up dry paint: %1</source>
-        <translation>乾いた絵の具を取りました: %1</translation>
+        <translation>乾いた絵具を取りました: %1</translation>
     </message>
     <message>
         <source>There is no colour to pick beside the canvas.</source>
@@ -8066,6 +8538,56 @@
     <message>
         <source>Palettes (*.gpl)</source>
         <translation>パレット (*.gpl)</translation>
+    </message>
+    <message>
+        <source>Colours of a picture</source>
+        <translation>画像の色</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1を読んでいます</translation>
+    </message>
+    <message>
+        <source>Save the palette</source>
+        <translation>パレットを保存</translation>
+    </message>
+    <message>
+        <source>my-palette.gpl</source>
+        <translation>my-palette.gpl</translation>
+    </message>
+    <message>
+        <source>Export my paints</source>
+        <translation>自分の絵具を書き出す</translation>
+    </message>
+    <message>
+        <source>my-paints.json</source>
+        <translation>my-paints.json</translation>
+    </message>
+    <message>
+        <source>Sets of paints (*.json)</source>
+        <translation>絵具のセット (*.json)</translation>
+    </message>
+    <message>
+        <source>Import paints</source>
+        <translation>絵具を読み込む</translation>
+    </message>
+    <message>
+        <source>You have all paints of that set already.</source>
+        <translation>そのセットの絵具はすべて持っています。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n paint(s) added to your own.</source>
+        <translation>
+            <numerusform>%n 個の絵具を自分の絵具に加えました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1を保存しました。</translation>
     </message>
 </context>
 <context>
@@ -8266,16 +8788,20 @@
         <source>Recovering the painting</source>
         <translation>絵を復元中</translation>
     </message>
+    <message>
+        <source>Save a version</source>
+        <translation>バージョンを保存</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::RangeSelection</name>
     <message>
         <source>Wet paint of this layer is up to %1 mm thick, %2 mm on average.</source>
-        <translation>このレイヤーの濡れた絵の具は最大 %1 mm、平均 %2 mm の厚さです。</translation>
+        <translation>このレイヤーの濡れた絵具は最大 %1 mm、平均 %2 mm の厚さです。</translation>
     </message>
     <message>
         <source>Paint, wet and dry, stands up to %1 mm above the canvas, %2 mm on average.</source>
-        <translation>絵の具は濡れたものも乾いたものも含め、キャンバスから最大 %1 mm、平均 %2 mm の高さです。</translation>
+        <translation>絵具は濡れたものも乾いたものも含め、キャンバスから最大 %1 mm、平均 %2 mm の高さです。</translation>
     </message>
     <message>
         <source>Select by wetness</source>
@@ -8671,6 +9197,63 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TubeCommands</name>
+    <message>
+        <source>Save the tubes as a set</source>
+        <translation>チューブをセットとして保存</translation>
+    </message>
+    <message>
+        <source>Rename the set</source>
+        <translation>セットの名前を変更</translation>
+    </message>
+    <message>
+        <source>Name of the set:</source>
+        <translation>セットの名前:</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>セットには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>Type another name: that one is empty, or another set&apos;s.</source>
+        <translation>別の名前を入力してください。空か、ほかのセットの名前です。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ViewCommands</name>
+    <message>
+        <source>Canvas %1 × %2 mm, %3 cells a millimetre</source>
+        <translation>キャンバス %1 × %2 mm、1 mm に %3 セル</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::WorkspaceCommands</name>
+    <message>
+        <source>There is a workspace &quot;%1&quot; already.</source>
+        <translation>ワークスペース「%1」はすでにあります。</translation>
+    </message>
+    <message>
+        <source>The workspace &quot;%1&quot; comes with the program: choose another name.</source>
+        <translation>ワークスペース「%1」はプログラムに付属しています。別の名前を選んでください。</translation>
+    </message>
+    <message>
+        <source>Save the workspace</source>
+        <translation>ワークスペースを保存</translation>
+    </message>
+    <message>
+        <source>Name of the workspace; one of your own with this name is replaced:</source>
+        <translation>ワークスペースの名前（同じ名前の自分のものは置き換わります）:</translation>
+    </message>
+    <message>
+        <source>Rename the workspace</source>
+        <translation>ワークスペースの名前を変更</translation>
+    </message>
+    <message>
+        <source>Name of the workspace:</source>
+        <translation>ワークスペースの名前:</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels</name>
     <message>
         <source>never</source>
@@ -8706,7 +9289,7 @@
     </message>
     <message>
         <source>How slowly it flows: water 1, ink 100, cream 3000, oil from the tube 300000</source>
-        <translation>流れにくさ。水は1、インクは100、クリームは3000、チューブの油絵の具は300000</translation>
+        <translation>流れにくさ。水は1、インクは100、クリームは3000、チューブの油絵具は300000</translation>
     </message>
     <message>
         <source> mm²/s</source>
@@ -8738,7 +9321,7 @@
     </message>
     <message>
         <source>Heavy paint runs faster down a tilted canvas</source>
-        <translation>重い絵の具は傾いたキャンバスを速く流れ落ちる</translation>
+        <translation>重い絵具は傾いたキャンバスを速く流れ落ちる</translation>
     </message>
     <message>
         <source> kg/m³</source>
@@ -8834,7 +9417,7 @@
     </message>
     <message>
         <source>How much of the wet thickness is left: oil keeps all, watery paint sinks in</source>
-        <translation>濡れているときの厚さのうち残る割合。油彩はすべて残り、水っぽい絵の具はやせて薄くなる</translation>
+        <translation>濡れているときの厚さのうち残る割合。油彩はすべて残り、水っぽい絵具はやせて薄くなる</translation>
     </message>
     <message>
         <source> %</source>
@@ -8902,7 +9485,7 @@
     </message>
     <message>
         <source>From paint that stands in peaks to paint that runs like ink: viscosity and yield stress</source>
-        <translation>つのが立つ絵の具から、インクのように流れる絵の具まで。粘度と降伏応力</translation>
+        <translation>つのが立つ絵具から、インクのように流れる絵具まで。粘度と降伏応力</translation>
     </message>
     <message>
         <source>short</source>
@@ -8914,7 +9497,7 @@
     </message>
     <message>
         <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
-        <translation>すぱっと切れる絵の具から、端へ広がり長く流れる絵の具まで。広がる角度、流れの形、流動指数</translation>
+        <translation>すぱっと切れる絵具から、端へ広がり長く流れる絵具まで。広がる角度、流れの形、流動指数</translation>
     </message>
     <message>
         <source>opaque</source>
@@ -8926,7 +9509,7 @@
     </message>
     <message>
         <source>From paint that hides what lies below to a glaze: how much pigment is in it</source>
-        <translation>下を隠す絵の具からグレーズまで。含まれる顔料の量</translation>
+        <translation>下を隠す絵具からグレーズまで。含まれる顔料の量</translation>
     </message>
     <message>
         <source>Pigment</source>
@@ -8934,7 +9517,7 @@
     </message>
     <message>
         <source>How much of full-strength paint is in it: paint from the tube 100, a glaze 3 to 6</source>
-        <translation>濃い絵の具がどれだけ含まれるか。チューブの絵の具は100、グレーズは3～6</translation>
+        <translation>濃い絵具がどれだけ含まれるか。チューブの絵具は100、グレーズは3～6</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -9002,7 +9585,7 @@
     </message>
     <message>
         <source>dipped in paint</source>
-        <translation>絵の具を含ませる</translation>
+        <translation>絵具を含ませる</translation>
     </message>
     <message>
         <source>stays on the tool</source>
@@ -9034,7 +9617,7 @@
     </message>
     <message>
         <source>A brush is dipped; a rag or a comb is used as it is.</source>
-        <translation>ブラシは絵の具を含ませる。布やコームはそのまま使う。</translation>
+        <translation>ブラシは絵具を含ませる。布やコームはそのまま使う。</translation>
     </message>
     <message>
         <source>What it takes</source>
@@ -9042,7 +9625,7 @@
     </message>
     <message>
         <source>A rag throws away what it takes up; it never comes back.</source>
-        <translation>布は取った絵の具を捨てる。もう戻らない。</translation>
+        <translation>布は取った絵具を捨てる。もう戻らない。</translation>
     </message>
     <message>
         <source>Chance</source>
@@ -9254,11 +9837,11 @@
     </message>
     <message>
         <source>Paint it leaves</source>
-        <translation>残す絵の具</translation>
+        <translation>残す絵具</translation>
     </message>
     <message>
         <source>Paint it takes</source>
-        <translation>取る絵の具</translation>
+        <translation>取る絵具</translation>
     </message>
     <message>
         <source>Stroke</source>
@@ -9271,6 +9854,93 @@
     <message>
         <source>Air</source>
         <translation>空気</translation>
+    </message>
+    <message>
+        <source>nib</source>
+        <translation>ペン先</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>歯</translation>
+    </message>
+    <message>
+        <source>Pores</source>
+        <translation>穴</translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation>周長</translation>
+    </message>
+    <message>
+        <source>On the grain</source>
+        <translation>目の上</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::AidsPart</name>
+    <message>
+        <source>Harmony and gamut mask</source>
+        <translation>色の調和と色域マスク</translation>
+    </message>
+    <message>
+        <source>Marks for hues that go together, and a shape on the wheel to choose within</source>
+        <translation>調和する色相の印と、その中で色を選ぶためのホイール上の形</translation>
+    </message>
+    <message>
+        <source>Harmony</source>
+        <translation>色の調和</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Complementary</source>
+        <translation>補色</translation>
+    </message>
+    <message>
+        <source>Split complementary</source>
+        <translation>分裂補色</translation>
+    </message>
+    <message>
+        <source>Analogous</source>
+        <translation>類似色</translation>
+    </message>
+    <message>
+        <source>Triad</source>
+        <translation>三色配色</translation>
+    </message>
+    <message>
+        <source>Tetrad</source>
+        <translation>四色配色</translation>
+    </message>
+    <message>
+        <source>The hues that go with yours are marked on the ring: a click takes one</source>
+        <translation>選んだ色相に合う色相をリングに示す。クリックで選べる</translation>
+    </message>
+    <message>
+        <source>Gamut mask</source>
+        <translation>色域マスク</translation>
+    </message>
+    <message>
+        <source>Atmospheric triad</source>
+        <translation>雰囲気の三色配色</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>円</translation>
+    </message>
+    <message>
+        <source>The colours of one lightness on a disc, and a shape that the wheel keeps to</source>
+        <translation>同じ明度の色を円盤に表し、ホイールはその中の形に従う</translation>
+    </message>
+    <message>
+        <source>Turn of the gamut mask</source>
+        <translation>色域マスクの回転</translation>
+    </message>
+    <message>
+        <source>Turns the gamut mask</source>
+        <translation>色域マスクを回す</translation>
     </message>
 </context>
 <context>
@@ -9420,6 +10090,10 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Width of the brush&apos;s tip</source>
+        <translation>ブラシ先の幅</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPanel</name>
@@ -9437,11 +10111,11 @@
     </message>
     <message>
         <source>Dip the brush in this mixture from the tubes instead</source>
-        <translation>代わりに、チューブから混ぜたこの絵の具をブラシに付ける</translation>
+        <translation>代わりに、チューブから混ぜたこの絵具をブラシに付ける</translation>
     </message>
     <message>
         <source>Used before</source>
-        <translation>最近使った絵の具</translation>
+        <translation>最近使った絵具</translation>
     </message>
     <message>
         <source>Your palette</source>
@@ -9449,7 +10123,7 @@
     </message>
     <message>
         <source>Paints that you keep stay here.</source>
-        <translation>取っておいた絵の具がここに並びます。</translation>
+        <translation>取っておいた絵具がここに並びます。</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -9457,31 +10131,15 @@
     </message>
     <message>
         <source>Lay the paint in hand out on your palette</source>
-        <translation>今の絵の具を自分のパレットに置く</translation>
-    </message>
-    <message>
-        <source>From a file</source>
-        <translation>ファイルから</translation>
-    </message>
-    <message>
-        <source>none opened</source>
-        <translation>開いていません</translation>
-    </message>
-    <message>
-        <source>Open...</source>
-        <translation>開く...</translation>
-    </message>
-    <message>
-        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
-        <translation>GIMP、Krita、Inkscapeの色 (.gplファイル)</translation>
+        <translation>今の絵具を自分のパレットに置く</translation>
     </message>
     <message>
         <source>The colour itself, as a paint of its own: %1</source>
-        <translation>この色そのものの絵の具: %1</translation>
+        <translation>この色そのものの絵具: %1</translation>
     </message>
     <message>
         <source>Your palette is full: the right button takes a paint away.</source>
-        <translation>パレットがいっぱいです。右クリックで絵の具を取り除けます。</translation>
+        <translation>パレットがいっぱいです。右クリックで絵具を取り除けます。</translation>
     </message>
     <message>
         <source>%1
@@ -9494,6 +10152,18 @@ The right button, or Delete, takes it away.</source>
 ΔE %2, %3; %4</source>
         <translation>%1
 ΔE %2、%3、%4</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
+    </message>
+    <message>
+        <source>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</source>
+        <translation>自分のパレットの色をGIMP、Krita、Inkscape用の.gplファイルにする</translation>
+    </message>
+    <message>
+        <source>There is no room for more mixes; take one away first.</source>
+        <translation>これ以上混色を取っておけません。先に一つ取り除いてください。</translation>
     </message>
 </context>
 <context>
@@ -9564,6 +10234,16 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>点をドラッグで移動、何もないところをクリックで追加、右クリックで削除。
 キー: Page UpとPage Downで選択、矢印で移動、Insertで追加、Deleteで削除。</translation>
     </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n 個の点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: %3 % across, %4 % up</source>
+        <translation>点 %1 / %2: 横 %3 %、縦 %4 %</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::CurvesPanel</name>
@@ -9628,7 +10308,7 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     </message>
     <message>
         <source>How fast wet paint dries; D dries it at once</source>
-        <translation>濡れた絵の具が乾く速さ。Dですぐに乾く</translation>
+        <translation>濡れた絵具が乾く速さ。Dですぐに乾く</translation>
     </message>
     <message>
         <source>flat</source>
@@ -9716,6 +10396,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <source>Turned by</source>
         <translation>回転</translation>
     </message>
+    <message>
+        <source>%1: %2 to %3%4</source>
+        <translation>%1: %2 ～ %3%4</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
@@ -9751,7 +10435,7 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <name>pastoso::panels::IlluminantBox</name>
     <message>
         <source>The light on the easel; the paint stays as it is</source>
-        <translation>イーゼルに当たる光。絵の具そのものは変わらない</translation>
+        <translation>イーゼルに当たる光。絵具そのものは変わらない</translation>
     </message>
     <message>
         <source>Daylight (D65)</source>
@@ -9772,6 +10456,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>From a file...</source>
         <translation>ファイルから...</translation>
+    </message>
+    <message>
+        <source>Seen in</source>
+        <translation>見るときの光</translation>
     </message>
 </context>
 <context>
@@ -9809,7 +10497,7 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     </message>
     <message>
         <source>Fades what its paint does to light; its relief stays</source>
-        <translation>絵の具の色を透けさせる。凹凸は残る</translation>
+        <translation>絵具の色を透けさせる。凹凸は残る</translation>
     </message>
     <message>
         <source> %</source>
@@ -9823,6 +10511,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
 Keys: arrows move it, Home puts it back.</source>
         <translation>ランプをドラッグします。縁に近いほど光が横から差し、凹凸が際立ちます。ダブルクリックで元に戻ります。
 キー: 矢印キーで動かし、Homeで元に戻します。</translation>
+    </message>
+    <message>
+        <source>%1° high, from %2°</source>
+        <translation>高さ %1°、%2° の方向から</translation>
     </message>
 </context>
 <context>
@@ -9873,7 +10565,7 @@ Keys: arrows move it, Home puts it back.</source>
     </message>
     <message>
         <source>A clear coat to look through, here and in exports; it changes no paint, and can be taken off again</source>
-        <translation>上に重ねる透明な膜。画面とエクスポートで見え方だけが変わり、絵の具は変わらない。いつでも外せる</translation>
+        <translation>上に重ねる透明な膜。画面とエクスポートで見え方だけが変わり、絵具は変わらない。いつでも外せる</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -9896,18 +10588,18 @@ Keys: arrows move it, Home puts it back.</source>
     <name>pastoso::panels::LoadBar</name>
     <message>
         <source>The paint in the brush, across its width: how full it is, and of which colour</source>
-        <translation>ブラシが含む絵の具。幅の各部分の量と色</translation>
+        <translation>ブラシが含む絵具。幅の各部分の量と色</translation>
     </message>
 </context>
 <context>
     <name>pastoso::panels::LoadPanel</name>
     <message>
         <source>On the brush</source>
-        <translation>ブラシの絵の具</translation>
+        <translation>ブラシの絵具</translation>
     </message>
     <message>
         <source>How the brush is dipped, from the next time on</source>
-        <translation>次からの絵の具の付け方</translation>
+        <translation>次からの絵具の付け方</translation>
     </message>
     <message>
         <source>Full, in one paint</source>
@@ -9931,7 +10623,7 @@ Keys: arrows move it, Home puts it back.</source>
     </message>
     <message>
         <source>How full the brush is dipped; little leaves a dry brush</source>
-        <translation>ブラシに含ませる絵の具の量。少ないとかすれたドライブラシになる</translation>
+        <translation>ブラシに含ませる絵具の量。少ないとかすれたドライブラシになる</translation>
     </message>
     <message>
         <source> %</source>
@@ -9943,19 +10635,19 @@ Keys: arrows move it, Home puts it back.</source>
     </message>
     <message>
         <source>The second paint&apos;s share of a half-mixed load</source>
-        <translation>半混ぜにするときの2番目の絵の具の割合</translation>
+        <translation>半混ぜにするときの2番目の絵具の割合</translation>
     </message>
     <message>
         <source>In hand: %1</source>
-        <translation>今の絵の具: %1</translation>
+        <translation>今の絵具: %1</translation>
     </message>
     <message>
         <source>The second paint of the load: %1</source>
-        <translation>ブラシに付ける2番目の絵の具: %1</translation>
+        <translation>ブラシに付ける2番目の絵具: %1</translation>
     </message>
     <message>
         <source>The second paint, laid out for later: %1</source>
-        <translation>後で使う2番目の絵の具: %1</translation>
+        <translation>後で使う2番目の絵具: %1</translation>
     </message>
     <message>
         <source>empty</source>
@@ -9978,11 +10670,11 @@ Keys: arrows move it, Home puts it back.</source>
     </message>
     <message>
         <source>Kind of paint</source>
-        <translation>絵の具の種類</translation>
+        <translation>絵具の種類</translation>
     </message>
     <message>
         <source>The brush is cleaned, and dipped in paint of this kind</source>
-        <translation>ブラシを洗い、この種類の絵の具を付ける</translation>
+        <translation>ブラシを洗い、この種類の絵具を付ける</translation>
     </message>
     <message>
         <source>Takes back what was changed below</source>
@@ -9990,7 +10682,7 @@ Keys: arrows move it, Home puts it back.</source>
     </message>
     <message>
         <source>What it is like</source>
-        <translation>どんな絵の具か</translation>
+        <translation>どんな絵具か</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -9998,7 +10690,7 @@ Keys: arrows move it, Home puts it back.</source>
     </message>
     <message>
         <source>Each number of the paint</source>
-        <translation>絵の具の数値すべて</translation>
+        <translation>絵具の数値すべて</translation>
     </message>
 </context>
 <context>
@@ -10030,6 +10722,57 @@ Keys: arrows move it, Home puts it back.</source>
         <source>Clear</source>
         <translation>消去</translation>
     </message>
+    <message>
+        <source>All messages, to be pasted elsewhere</source>
+        <translation>すべてのメッセージをコピーして、ほかで貼り付ける</translation>
+    </message>
+    <message>
+        <source>Take all messages off the list</source>
+        <translation>リストのメッセージをすべて消す</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::MixesPart</name>
+    <message>
+        <source>Your mixes</source>
+        <translation>自分の混色</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>名前を変更</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Keep as a mix</source>
+        <translation>混色として取っておく</translation>
+    </message>
+    <message>
+        <source>Keep the paint in hand as a recipe of tubes, under a name of your own</source>
+        <translation>今の絵具を、自分で付けた名前でチューブのレシピとして取っておく</translation>
+    </message>
+    <message>
+        <source>Take the chosen mix away</source>
+        <translation>選んだ混色を取り除く</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>書き出す...</translation>
+    </message>
+    <message>
+        <source>Save your mixes and your palette as a file for others</source>
+        <translation>自分の混色とパレットを、ほかの人のためのファイルに保存する</translation>
+    </message>
+    <message>
+        <source>Import...</source>
+        <translation>読み込む...</translation>
+    </message>
+    <message>
+        <source>Add the mixes and the palette of such a file</source>
+        <translation>そうしたファイルの混色とパレットを加える</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::MousePart</name>
@@ -10056,6 +10799,13 @@ Keys: arrows move it, Home puts it back.</source>
     <message>
         <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
         <translation>マウスや画面に触れる指は、押す強さを伝えません。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::NavigatorMap</name>
+    <message>
+        <source>The middle of the window is %1 % from the left and %2 % from the top</source>
+        <translation>ウィンドウの中心は左から %1 %、上から %2 %</translation>
     </message>
 </context>
 <context>
@@ -10096,10 +10846,53 @@ Wheel: closer, farther</source>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::OpenedPalette</name>
+    <message>
+        <source>none opened</source>
+        <translation>開いていません</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>開く...</translation>
+    </message>
+    <message>
+        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
+        <translation>GIMP、Krita、Inkscapeの色 (.gplファイル)</translation>
+    </message>
+    <message>
+        <source>From a picture...</source>
+        <translation>画像から...</translation>
+    </message>
+    <message>
+        <source>Finds the colours that a picture is made of</source>
+        <translation>画像を成す色を見つける</translation>
+    </message>
+    <message>
+        <source>Colours of the picture</source>
+        <translation>画像の色</translation>
+    </message>
+    <message>
+        <source>How many colours are looked for</source>
+        <translation>探す色の数</translation>
+    </message>
+    <message>
+        <source>As recipes of the tubes</source>
+        <translation>チューブのレシピとして</translation>
+    </message>
+    <message>
+        <source>A click dips the brush in the nearest mixture of tubes, not in the colour itself</source>
+        <translation>クリックすると、その色そのものではなく、チューブで作れる最も近い混色をブラシに付ける</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>ファイルから</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::PaceNotice</name>
     <message>
         <source>The paint runs at %1 of its pace.</source>
-        <translation>絵の具は本来の%1の速さで動いています。</translation>
+        <translation>絵具は本来の%1の速さで動いています。</translation>
     </message>
     <message>
         <source>Time runs at %1 of %2 ×.</source>
@@ -10108,6 +10901,10 @@ Wheel: closer, farther</source>
     <message>
         <source>What helps</source>
         <translation>対処法</translation>
+    </message>
+    <message>
+        <source>What lets the paint keep up again</source>
+        <translation>絵具の動きを追いつかせる方法</translation>
     </message>
 </context>
 <context>
@@ -10118,13 +10915,21 @@ Wheel: closer, farther</source>
     </message>
     <message>
         <source>Paint</source>
-        <translation>絵の具</translation>
+        <translation>絵具</translation>
     </message>
     <message>
         <source>%1 (%2), %3
 As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</source>
         <translation>%1 (%2)、%3
 手にした道具で塗った厚さ (%4 mm) の色、白と黒の上に薄く伸ばした色、白を混ぜた色</translation>
+    </message>
+    <message>
+        <source>Put into a set</source>
+        <translation>セットに入れる</translation>
+    </message>
+    <message>
+        <source>Take out of this set</source>
+        <translation>このセットから外す</translation>
     </message>
 </context>
 <context>
@@ -10147,7 +10952,7 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
     <message>
         <source>picks up paint</source>
-        <translation>絵の具を取る</translation>
+        <translation>絵具を取る</translation>
     </message>
     <message>
         <source>picks the colour seen</source>
@@ -10199,7 +11004,7 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
     <message>
         <source>Shows paint under the pen at once, until the paint itself is on the screen</source>
-        <translation>絵の具そのものが画面に出るまで、ペンの下にすぐ絵の具を見せます</translation>
+        <translation>絵具そのものが画面に出るまで、ペンの下にすぐ絵具を見せます</translation>
     </message>
 </context>
 <context>
@@ -10279,8 +11084,16 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
 <context>
     <name>pastoso::panels::PictureBoard</name>
     <message>
-        <source>No picture to trace</source>
-        <translation>下絵はありません</translation>
+        <source>no picture</source>
+        <translation>画像なし</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 ピクセル</translation>
+    </message>
+    <message>
+        <source>A picture that you choose to trace lies here, to look at and to pick colours from, and below the paint.</source>
+        <translation>なぞるために選んだ画像がここに置かれ、見たり色を拾ったりできます。絵具の下にも表示されます。</translation>
     </message>
 </context>
 <context>
@@ -10299,11 +11112,18 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
     <message>
         <source>%1: take this one, and put the other here</source>
-        <translation>%1: この絵の具に持ち替え、今の絵の具をここに置く</translation>
+        <translation>%1: この絵具に持ち替え、今の絵具をここに置く</translation>
     </message>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PresetPageView</name>
+    <message>
+        <source>%1: as the tool is saved</source>
+        <translation>%1: 保存した道具の値に戻す</translation>
     </message>
 </context>
 <context>
@@ -10373,7 +11193,7 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
     <message>
         <source>paint at rest</source>
-        <translation>絵の具は静止</translation>
+        <translation>絵具は静止</translation>
     </message>
     <message>
         <source>%1 × time</source>
@@ -10393,15 +11213,15 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
     <message>
         <source>Paint time against the clock: less than you set where there is more wet paint than this computer can move in time</source>
-        <translation>実際の時間に対する絵の具の時間。濡れた絵の具が多く、計算が追いつかないときは設定より遅くなる</translation>
+        <translation>実際の時間に対する絵具の時間。濡れた絵具が多く、計算が追いつかないときは設定より遅くなる</translation>
     </message>
     <message>
         <source>Whether paint still moves, and how much of its time this computer works on it</source>
-        <translation>絵の具がまだ動いているか、このコンピューターがその計算にどれだけ時間を使っているか</translation>
+        <translation>絵具がまだ動いているか、このコンピューターがその計算にどれだけ時間を使っているか</translation>
     </message>
     <message>
         <source>paint moving, %1 % busy</source>
-        <translation>絵の具が動いています、負荷 %1 %</translation>
+        <translation>絵具が動いています、負荷 %1 %</translation>
     </message>
 </context>
 <context>
@@ -10415,11 +11235,11 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <name>pastoso::panels::ThinningSlider</name>
     <message>
         <source>Paint : medium, from paste to stain. To the right the paint is thinned: it runs sooner, and lets through what lies below</source>
-        <translation>絵の具 : メディウム。ペーストからステインまで。右へ動かすほどうすまり、流れやすくなって下の層が透ける</translation>
+        <translation>絵具 : メディウム。ペーストからステインまで。右へ動かすほどうすまり、流れやすくなって下の層が透ける</translation>
     </message>
     <message>
         <source>Paint : medium</source>
-        <translation>絵の具 : メディウム</translation>
+        <translation>絵具 : メディウム</translation>
     </message>
 </context>
 <context>
@@ -10427,8 +11247,16 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>Drag to tilt the canvas: the paint runs towards the knob. Double-click lays it flat.
 Keys: arrows tilt it, Home lays it flat.</source>
-        <translation>ドラッグでキャンバスを傾けます。絵の具はつまみの方へ流れます。ダブルクリックで水平に戻ります。
+        <translation>ドラッグでキャンバスを傾けます。絵具はつまみの方へ流れます。ダブルクリックで水平に戻ります。
 キー: 矢印キーで傾け、Homeで水平に戻します。</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>%1° steep, down is at %2°</source>
+        <translation>傾き %1°、下は %2° の方向</translation>
     </message>
 </context>
 <context>
@@ -10442,7 +11270,7 @@ Keys: arrows tilt it, Home lays it flat.</source>
 Wheel: closer, farther
 Drag: move the picture
 0: all of it</source>
-        <translation>クリック: その色の絵の具を作る
+        <translation>クリック: その色の絵具を作る
 ホイール: 近づく、離れる
 ドラッグ: 画像を動かす
 0: 全体を表示</translation>
@@ -10453,7 +11281,7 @@ Drag: move the picture
     </message>
     <message>
         <source>How strongly it shows below the paint</source>
-        <translation>絵の具の下での見え方の強さ</translation>
+        <translation>絵具の下での見え方の強さ</translation>
     </message>
     <message>
         <source> %</source>
@@ -10478,6 +11306,41 @@ Drag: move the picture
     <message>
         <source>Its height follows in proportion</source>
         <translation>高さは比率を保って変わる</translation>
+    </message>
+    <message>
+        <source>Where its left edge lies on the canvas</source>
+        <translation>左端のキャンバス上の位置</translation>
+    </message>
+    <message>
+        <source>Where its upper edge lies on the canvas</source>
+        <translation>上端のキャンバス上の位置</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::TubeMenu</name>
+    <message>
+        <source>Which tubes are shown: all of them, or a set of yours</source>
+        <translation>どのチューブを見せるか。すべて、または自分のセット</translation>
+    </message>
+    <message>
+        <source>All tubes</source>
+        <translation>すべてのチューブ</translation>
+    </message>
+    <message>
+        <source>Save as a set...</source>
+        <translation>セットとして保存...</translation>
+    </message>
+    <message>
+        <source>Rename the set...</source>
+        <translation>セットの名前を変更...</translation>
+    </message>
+    <message>
+        <source>Remove the set</source>
+        <translation>セットを削除</translation>
+    </message>
+    <message>
+        <source>Squeeze these onto the mixing well</source>
+        <translation>これらを混色皿に絞り出す</translation>
     </message>
 </context>
 <context>
@@ -10786,11 +11649,11 @@ Drag: move the picture
     </message>
     <message>
         <source>Wet paint</source>
-        <translation>濡れた絵の具</translation>
+        <translation>濡れた絵具</translation>
     </message>
     <message>
         <source>Height of the paint</source>
-        <translation>絵の具の高さ</translation>
+        <translation>絵具の高さ</translation>
     </message>
     <message>
         <source>Slopes of the surface</source>

@@ -1266,10 +1266,6 @@
         <translation>en körning har ett namn på högst 64 små bokstäver, siffror och bindestreck.</translation>
     </message>
     <message>
-        <source>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</source>
-        <translation>ett sampel har 4 till 7 tal, time, x, y, pressure, tilt_x, tilt_y, rotation; här står %1.</translation>
-    </message>
-    <message>
         <source>a scene</source>
         <translation>en scen</translation>
     </message>
@@ -2785,6 +2781,54 @@
         <source>copied paint</source>
         <translation>den kopierade färgen</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is there twice.</source>
+        <translation>”%1” finns två gånger.</translation>
+    </message>
+    <message>
+        <source>a mix needs a name.</source>
+        <translation>en blandning behöver ett namn.</translation>
+    </message>
+    <message>
+        <source>a sample has 4 to 8 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation, wheel; here are %1.</source>
+        <translation>ett prov har 4 till 8 tal, time, x, y, pressure, tilt_x, tilt_y, rotation, wheel; här är %1.</translation>
+    </message>
+    <message>
+        <source>a set needs a name.</source>
+        <translation>en sats behöver ett namn.</translation>
+    </message>
+    <message>
+        <source>change of the resolution</source>
+        <translation>upplösningens ändring</translation>
+    </message>
+    <message>
+        <source>scale of the height</source>
+        <translation>höjdens skala</translation>
+    </message>
+    <message>
+        <source>scale of the width</source>
+        <translation>breddens skala</translation>
+    </message>
+    <message>
+        <source>the panel %1 stands there twice.</source>
+        <translation>panelen %1 står där två gånger.</translation>
+    </message>
+    <message>
+        <source>there are %1 mixes, but only %2 have room.</source>
+        <translation>det finns %1 blandningar, men bara %2 får plats.</translation>
+    </message>
+    <message>
+        <source>there is no &quot;%1&quot;.</source>
+        <translation>det finns ingen ”%1”.</translation>
+    </message>
+    <message>
+        <source>there is no panel.</source>
+        <translation>det finns ingen panel.</translation>
+    </message>
+    <message>
+        <source>wheel of the pen</source>
+        <translation>pennans hjul</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3248,6 +3292,74 @@
         <source>Favourite</source>
         <translation>Favorit</translation>
     </message>
+    <message>
+        <source>The brush is not over it</source>
+        <translation>Penseln är inte över den</translation>
+    </message>
+    <message>
+        <source>Brush at %1, %2 mm</source>
+        <translation>Pensel vid %1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Kind of paint</source>
+        <translation>Slags färg</translation>
+    </message>
+    <message>
+        <source>Charcoal and pastels</source>
+        <translation>Kol och pasteller</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Pennor</translation>
+    </message>
+    <message>
+        <source>Sponges and rollers</source>
+        <translation>Svampar och rollrar</translation>
+    </message>
+    <message>
+        <source>Direction of the stroke</source>
+        <translation>Dragets riktning</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>Tillryggalagd väg</translation>
+    </message>
+    <message>
+        <source>Time since the touch</source>
+        <translation>Tid sedan beröringen</translation>
+    </message>
+    <message>
+        <source>Distance in brush widths</source>
+        <translation>Väg i penselbredder</translation>
+    </message>
+    <message>
+        <source>Chance, each stroke</source>
+        <translation>Slump, varje drag</translation>
+    </message>
+    <message>
+        <source>Chance along the stroke</source>
+        <translation>Slump längs draget</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Hjul</translation>
+    </message>
+    <message>
+        <source>Paint left on the tool</source>
+        <translation>Färg kvar på verktyget</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 widths</source>
+        <translation>%1 bredder</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -3317,6 +3429,33 @@
     <message>
         <source>Width</source>
         <translation>Bredd</translation>
+    </message>
+</context>
+<context>
+    <name>TourCommands</name>
+    <message>
+        <source>Paint</source>
+        <translation>Måla</translation>
+    </message>
+    <message>
+        <source>Press on the canvas and drag: the brush lays wet paint, and drags along what is wet already. A pen that presses harder bends the hairs further.</source>
+        <translation>Tryck på duken och dra: penseln lägger våt färg och drar med sig det som redan är vått. En penna som trycker hårdare böjer håren mer.</translation>
+    </message>
+    <message>
+        <source>Move the canvas, and pick paint from it</source>
+        <translation>Flytta duken, och ta färg från den</translation>
+    </message>
+    <message>
+        <source>Hold Space and drag to move the canvas; the wheel goes nearer. Ctrl and a click put the paint under the pointer on your brush.</source>
+        <translation>Håll ned mellanslag och dra för att flytta duken; hjulet går närmare. Ctrl och ett klick tar färgen under pekaren på penseln.</translation>
+    </message>
+    <message>
+        <source>Take another paint, and take a stroke back</source>
+        <translation>Ta en annan färg, och ångra ett penseldrag</translation>
+    </message>
+    <message>
+        <source>Choose a paint here. %1 loads the brush anew, %2 takes the last stroke back.</source>
+        <translation>Välj en färg här. %1 laddar penseln på nytt, %2 tar tillbaka det senaste penseldraget.</translation>
     </message>
 </context>
 <context>
@@ -3852,6 +3991,54 @@
     <message>
         <source>Pressure in the middle of the jet.</source>
         <translation>Trycket mitt i strålen.</translation>
+    </message>
+    <message>
+        <source>Calligraphy nib 3</source>
+        <translation>Kalligrafipenna 3</translation>
+    </message>
+    <message>
+        <source>Charcoal 8</source>
+        <translation>Kol 8</translation>
+    </message>
+    <message>
+        <source>Marbling comb 80</source>
+        <translation>Marmoreringskam 80</translation>
+    </message>
+    <message>
+        <source>Oil pastel 10</source>
+        <translation>Oljepastell 10</translation>
+    </message>
+    <message>
+        <source>Roller 50</source>
+        <translation>Roller 50</translation>
+    </message>
+    <message>
+        <source>Ruling pen 1</source>
+        <translation>Dragstift 1</translation>
+    </message>
+    <message>
+        <source>Sponge 45</source>
+        <translation>Svamp 45</translation>
+    </message>
+    <message>
+        <source>Squeegee 120</source>
+        <translation>Gummiskrapa 120</translation>
+    </message>
+    <message>
+        <source>Width of a comb&apos;s tooth, in distances of its teeth.</source>
+        <translation>En kamtands bredd, i avstånd mellan tänderna.</translation>
+    </message>
+    <message>
+        <source>Depth of a sponge&apos;s pores.</source>
+        <translation>Djup hos en svamps porer.</translation>
+    </message>
+    <message>
+        <source>Way round a roller, after which its mark comes again; 0: it does not roll.</source>
+        <translation>Vägen runt en roller, efter vilken dess spår kommer igen; 0: den rullar inte.</translation>
+    </message>
+    <message>
+        <source>0: levels the hollows that it reaches, 1: coats the grain alone.</source>
+        <translation>0: jämnar ut de gropar den når, 1: täcker bara kornet.</translation>
     </message>
 </context>
 <context>
@@ -5416,6 +5603,170 @@
         <source>Write all tools of your own into a bundle, a file to keep or to give away</source>
         <translation>Skriv alla dina egna verktyg till en samling, en fil att behålla eller ge bort</translation>
     </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fönster</translation>
+    </message>
+    <message>
+        <source>Save a &amp;version</source>
+        <translation>Spara en &amp;version</translation>
+    </message>
+    <message>
+        <source>Go on in a file of the next number beside this one, which stays as it is</source>
+        <translation>Fortsätt i en fil med nästa nummer bredvid den här, som förblir som den är</translation>
+    </message>
+    <message>
+        <source>Close the pain&amp;ting</source>
+        <translation>Stäng m&amp;ålningen</translation>
+    </message>
+    <message>
+        <source>Put the painting away; the start page says what there is to go on with</source>
+        <translation>Ställ undan målningen; startsidan visar vad du kan fortsätta med</translation>
+    </message>
+    <message>
+        <source>Scale image to &amp;new size...</source>
+        <translation>Skala bilden till &amp;ny storlek...</translation>
+    </message>
+    <message>
+        <source>Draw the whole painting out, or make it of finer or coarser pixels</source>
+        <translation>Gör hela målningen större eller mindre, eller med finare eller grövre pixlar</translation>
+    </message>
+    <message>
+        <source>Toned g&amp;round...</source>
+        <translation>Tonad g&amp;rund...</translation>
+    </message>
+    <message>
+        <source>Cover the whole canvas with a dry coat of the paint in hand, below all layers</source>
+        <translation>Täck hela duken med ett torrt lager av färgen i handen, under alla lager</translation>
+    </message>
+    <message>
+        <source>Full scr&amp;een</source>
+        <translation>H&amp;elskärm</translation>
+    </message>
+    <message>
+        <source>The window on the whole screen, without the bars of the desktop</source>
+        <translation>Fönstret över hela skärmen, utan skrivbordets lister</translation>
+    </message>
+    <message>
+        <source>S&amp;quint</source>
+        <translation>&amp;Kisa</translation>
+    </message>
+    <message>
+        <source>The painting as with half-closed eyes: large shapes without their details</source>
+        <translation>Målningen som med halvslutna ögon: stora former utan detaljer</translation>
+    </message>
+    <message>
+        <source>&amp;Brushes panel</source>
+        <translation>&amp;Penselpanel</translation>
+    </message>
+    <message>
+        <source>The tools to paint with, how wide they are and how steady they keep</source>
+        <translation>Verktygen att måla med, hur breda de är och hur stadigt de går</translation>
+    </message>
+    <message>
+        <source>&amp;Paints panel</source>
+        <translation>&amp;Färgpanel</translation>
+    </message>
+    <message>
+        <source>The tubes of paint</source>
+        <translation>Färgtuberna</translation>
+    </message>
+    <message>
+        <source>&amp;Easel panel</source>
+        <translation>&amp;Stafflipanel</translation>
+    </message>
+    <message>
+        <source>How the canvas stands, where the lamp is, and how fast paint dries</source>
+        <translation>Hur duken står, var lampan är och hur fort färgen torkar</translation>
+    </message>
+    <message>
+        <source>T&amp;ool bar</source>
+        <translation>V&amp;erktygsfält</translation>
+    </message>
+    <message>
+        <source>The bar of buttons; drag it by its end to another side, or off the window</source>
+        <translation>Fältet med knappar; dra det i änden till en annan sida, eller bort från fönstret</translation>
+    </message>
+    <message>
+        <source>&amp;New window</source>
+        <translation>&amp;Nytt fönster</translation>
+    </message>
+    <message>
+        <source>Another window, with an easel of its own</source>
+        <translation>Ett fönster till, med ett eget staffli</translation>
+    </message>
+    <message>
+        <source>S&amp;ketch</source>
+        <translation>S&amp;kiss</translation>
+    </message>
+    <message>
+        <source>Brushes and paints beside a large canvas, and nothing else</source>
+        <translation>Penslar och färger bredvid en stor duk, och inget annat</translation>
+    </message>
+    <message>
+        <source>&amp;Oil</source>
+        <translation>&amp;Olja</translation>
+    </message>
+    <message>
+        <source>Brushes, paints and easel beside the tool and the layers</source>
+        <translation>Penslar, färger och staffli, med verktyget och lagren</translation>
+    </message>
+    <message>
+        <source>&amp;Mixing</source>
+        <translation>&amp;Blandning</translation>
+    </message>
+    <message>
+        <source>Paints, colours and what the paint is like, beside a large mixing well</source>
+        <translation>Färger, kulörer och hur färgen är, bredvid en stor blandningsyta</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Export</translation>
+    </message>
+    <message>
+        <source>Lights, layers, the whole canvas and its recording, to finish a painting</source>
+        <translation>Ljus, lager, hela duken och dess inspelning, för att göra en målning färdig</translation>
+    </message>
+    <message>
+        <source>&amp;Save the workspace...</source>
+        <translation>&amp;Spara arbetsytan...</translation>
+    </message>
+    <message>
+        <source>Keep the panels as they stand now, under a name of your own</source>
+        <translation>Behåll panelerna som de står nu, under ett eget namn</translation>
+    </message>
+    <message>
+        <source>&amp;Rename the workspace...</source>
+        <translation>&amp;Byt namn på arbetsytan...</translation>
+    </message>
+    <message>
+        <source>Give your own workspace that is in use another name</source>
+        <translation>Ge din egen arbetsyta som används ett annat namn</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve the workspace</source>
+        <translation>&amp;Ta bort arbetsytan</translation>
+    </message>
+    <message>
+        <source>Forget your own workspace that is in use; the panels stay as they stand</source>
+        <translation>Glöm din egen arbetsyta som används; panelerna står kvar</translation>
+    </message>
+    <message>
+        <source>&amp;Left-handed</source>
+        <translation>&amp;Vänsterhänt</translation>
+    </message>
+    <message>
+        <source>What stands on the left changes places with what stands on the right</source>
+        <translation>Det som står till vänster byter plats med det som står till höger</translation>
+    </message>
+    <message>
+        <source>Show me &amp;round</source>
+        <translation>Visa mig &amp;runt</translation>
+    </message>
+    <message>
+        <source>Three steps: paint, move the canvas, take other paint</source>
+        <translation>Tre steg: måla, flytta duken, ta en annan färg</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6079,6 +6430,57 @@
     </message>
 </context>
 <context>
+    <name>pastoso::dialogs::ScaleDialog</name>
+    <message>
+        <source>Paint keeps its thickness, so that there is %1 times as much of it.</source>
+        <translation>Färgen behåller sin tjocklek, så det blir %1 gånger så mycket av den.</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;proportions</source>
+        <translation>Behåll &amp;proportionerna</translation>
+    </message>
+    <message>
+        <source>Scale the image</source>
+        <translation>Skala bilden</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in</source>
+        <translation>Det går också att skriva andra enheter: 50 cm, 20 in</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>Det går också att skriva punkter per tum: 127 dpi</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Upplösning</translation>
+    </message>
+    <message>
+        <source>The image has this size and this resolution.</source>
+        <translation>Bilden har den här storleken och upplösningen.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
+        <translation>En bild på %1 × %2 pixlar, %3 dpi; upp till %4 MiB minne när allt är vått.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::dialogs::SelectRangeDialog</name>
     <message>
         <source>Select it</source>
@@ -6471,6 +6873,14 @@
     <message>
         <source>Filled with paint</source>
         <translation>Fylld med färg</translation>
+    </message>
+    <message>
+        <source>Painting scaled</source>
+        <translation>Målningen skalad</translation>
+    </message>
+    <message>
+        <source>Ground toned</source>
+        <translation>Grunden tonad</translation>
     </message>
 </context>
 <context>
@@ -7360,6 +7770,33 @@
     </message>
 </context>
 <context>
+    <name>pastoso::help::TourBubble</name>
+    <message>
+        <source>Skip the tour</source>
+        <translation>Hoppa över</translation>
+    </message>
+    <message>
+        <source>Go on with the tour</source>
+        <translation>Fortsätt rundturen</translation>
+    </message>
+    <message>
+        <source>Leave the tour, as Escape does; &quot;Show me round&quot; in the &quot;Help&quot; menu brings it back</source>
+        <translation>Lämna rundturen, som Escape gör; ”Visa mig runt” i menyn ”Hjälp” tar fram den igen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klar</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nästa</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -7632,6 +8069,18 @@
     <message>
         <source>Paint it again, finer...</source>
         <translation>Måla om det finare...</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>Penslar</translation>
+    </message>
+    <message>
+        <source>Paints</source>
+        <translation>Färger</translation>
+    </message>
+    <message>
+        <source>Easel</source>
+        <translation>Staffli</translation>
     </message>
 </context>
 <context>
@@ -7949,6 +8398,22 @@
         <source>Keep</source>
         <translation>Behåll</translation>
     </message>
+    <message>
+        <source>Toned ground</source>
+        <translation>Tonad grund</translation>
+    </message>
+    <message>
+        <source>An even coat of the paint in hand covers the whole canvas, dry at once, on a layer below all others: 0.02 mm tints the canvas, 0.1 mm covers it.</source>
+        <translation>Ett jämnt skikt av färgen i handen täcker hela duken, genast torrt, på ett lager under alla andra: 0,02 mm tonar duken, 0,1 mm täcker den.</translation>
+    </message>
+    <message>
+        <source>Tone the ground</source>
+        <translation>Tona grunden</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Grund</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::GlassMode</name>
@@ -8051,6 +8516,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::NewWindow</name>
+    <message>
+        <source>%1 cannot be started: there is no other window.</source>
+        <translation>%1 kan inte startas: det blir inget fönster till.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -8078,6 +8550,57 @@
     <message>
         <source>Palettes (*.gpl)</source>
         <translation>Paletter (*.gpl)</translation>
+    </message>
+    <message>
+        <source>Colours of a picture</source>
+        <translation>En bilds färger</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Läser %1</translation>
+    </message>
+    <message>
+        <source>Save the palette</source>
+        <translation>Spara paletten</translation>
+    </message>
+    <message>
+        <source>my-palette.gpl</source>
+        <translation>min-palett.gpl</translation>
+    </message>
+    <message>
+        <source>Export my paints</source>
+        <translation>Exportera mina färger</translation>
+    </message>
+    <message>
+        <source>my-paints.json</source>
+        <translation>mina-farger.json</translation>
+    </message>
+    <message>
+        <source>Sets of paints (*.json)</source>
+        <translation>Färgsatser (*.json)</translation>
+    </message>
+    <message>
+        <source>Import paints</source>
+        <translation>Importera färger</translation>
+    </message>
+    <message>
+        <source>You have all paints of that set already.</source>
+        <translation>Du har redan alla färger i den satsen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n paint(s) added to your own.</source>
+        <translation>
+            <numerusform>%n färg lades till dina egna.</numerusform>
+            <numerusform>%n färger lades till dina egna.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Sparade %1.</translation>
     </message>
 </context>
 <context>
@@ -8277,6 +8800,10 @@
     <message>
         <source>Recovering the painting</source>
         <translation>Återställer målningen</translation>
+    </message>
+    <message>
+        <source>Save a version</source>
+        <translation>Spara en version</translation>
     </message>
 </context>
 <context>
@@ -8685,6 +9212,63 @@
     <message>
         <source>Reading %1</source>
         <translation>Läser %1</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::TubeCommands</name>
+    <message>
+        <source>Save the tubes as a set</source>
+        <translation>Spara tuberna som en sats</translation>
+    </message>
+    <message>
+        <source>Rename the set</source>
+        <translation>Byt namn på satsen</translation>
+    </message>
+    <message>
+        <source>Name of the set:</source>
+        <translation>Satsens namn:</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>En sats behöver ett namn.</translation>
+    </message>
+    <message>
+        <source>Type another name: that one is empty, or another set&apos;s.</source>
+        <translation>Skriv ett annat namn: det är tomt, eller en annan sats.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ViewCommands</name>
+    <message>
+        <source>Canvas %1 × %2 mm, %3 cells a millimetre</source>
+        <translation>Duk %1 × %2 mm, %3 celler per millimeter</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::WorkspaceCommands</name>
+    <message>
+        <source>There is a workspace &quot;%1&quot; already.</source>
+        <translation>Det finns redan en arbetsyta ”%1”.</translation>
+    </message>
+    <message>
+        <source>The workspace &quot;%1&quot; comes with the program: choose another name.</source>
+        <translation>Arbetsytan ”%1” följer med programmet: välj ett annat namn.</translation>
+    </message>
+    <message>
+        <source>Save the workspace</source>
+        <translation>Spara arbetsytan</translation>
+    </message>
+    <message>
+        <source>Name of the workspace; one of your own with this name is replaced:</source>
+        <translation>Arbetsytans namn; en egen med samma namn ersätts:</translation>
+    </message>
+    <message>
+        <source>Rename the workspace</source>
+        <translation>Byt namn på arbetsytan</translation>
+    </message>
+    <message>
+        <source>Name of the workspace:</source>
+        <translation>Arbetsytans namn:</translation>
     </message>
 </context>
 <context>
@@ -9289,6 +9873,93 @@
         <source>Air</source>
         <translation>Luft</translation>
     </message>
+    <message>
+        <source>nib</source>
+        <translation>penna</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Tänder</translation>
+    </message>
+    <message>
+        <source>Pores</source>
+        <translation>Porer</translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation>Omkrets</translation>
+    </message>
+    <message>
+        <source>On the grain</source>
+        <translation>På kornet</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::AidsPart</name>
+    <message>
+        <source>Harmony and gamut mask</source>
+        <translation>Harmoni och färgmask</translation>
+    </message>
+    <message>
+        <source>Marks for hues that go together, and a shape on the wheel to choose within</source>
+        <translation>Märken för nyanser som passar ihop, och en form på hjulet att välja inom</translation>
+    </message>
+    <message>
+        <source>Harmony</source>
+        <translation>Harmoni</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Complementary</source>
+        <translation>Komplementär</translation>
+    </message>
+    <message>
+        <source>Split complementary</source>
+        <translation>Delad komplementär</translation>
+    </message>
+    <message>
+        <source>Analogous</source>
+        <translation>Analog</translation>
+    </message>
+    <message>
+        <source>Triad</source>
+        <translation>Triad</translation>
+    </message>
+    <message>
+        <source>Tetrad</source>
+        <translation>Tetrad</translation>
+    </message>
+    <message>
+        <source>The hues that go with yours are marked on the ring: a click takes one</source>
+        <translation>Nyanserna som passar till din är märkta på ringen: ett klick tar en</translation>
+    </message>
+    <message>
+        <source>Gamut mask</source>
+        <translation>Färgmask</translation>
+    </message>
+    <message>
+        <source>Atmospheric triad</source>
+        <translation>Atmosfärisk triad</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cirkel</translation>
+    </message>
+    <message>
+        <source>The colours of one lightness on a disc, and a shape that the wheel keeps to</source>
+        <translation>Färgerna av en ljushet på en skiva, och en form som hjulet håller sig till</translation>
+    </message>
+    <message>
+        <source>Turn of the gamut mask</source>
+        <translation>Färgmaskens vridning</translation>
+    </message>
+    <message>
+        <source>Turns the gamut mask</source>
+        <translation>Vrider färgmasken</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushEditor</name>
@@ -9437,6 +10108,10 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Width of the brush&apos;s tip</source>
+        <translation>Penselspetsens bredd</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPanel</name>
@@ -9477,22 +10152,6 @@
         <translation>Lägg ut färgen i handen på din palett</translation>
     </message>
     <message>
-        <source>From a file</source>
-        <translation>Från en fil</translation>
-    </message>
-    <message>
-        <source>none opened</source>
-        <translation>ingen öppnad</translation>
-    </message>
-    <message>
-        <source>Open...</source>
-        <translation>Öppna...</translation>
-    </message>
-    <message>
-        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
-        <translation>Färger från GIMP, Krita eller Inkscape, ur en .gpl-fil</translation>
-    </message>
-    <message>
         <source>The colour itself, as a paint of its own: %1</source>
         <translation>Själva kulören, som en egen färg: %1</translation>
     </message>
@@ -9511,6 +10170,18 @@ Höger knapp, eller Delete, tar bort den.</translation>
 ΔE %2, %3; %4</source>
         <translation>%1
 ΔE %2, %3; %4</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Spara...</translation>
+    </message>
+    <message>
+        <source>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</source>
+        <translation>Färgerna på din palett för GIMP, Krita eller Inkscape, som en .gpl-fil</translation>
+    </message>
+    <message>
+        <source>There is no room for more mixes; take one away first.</source>
+        <translation>Det finns inte plats för fler blandningar; ta bort en först.</translation>
     </message>
 </context>
 <context>
@@ -9580,6 +10251,17 @@ skärmen räcker. Tangenter: piltangenter, Page Up och Page Down för nyansen, f
 Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.</source>
         <translation>Dra en punkt, klicka bredvid för att lägga till en, högerklicka för att ta bort en.
 Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, Delete tar bort.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n punkt</numerusform>
+            <numerusform>%n punkter</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: %3 % across, %4 % up</source>
+        <translation>Punkt %1 av %2: %3 % åt höger, %4 % upp</translation>
     </message>
 </context>
 <context>
@@ -9733,6 +10415,10 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
         <source>Turned by</source>
         <translation>Vriden</translation>
     </message>
+    <message>
+        <source>%1: %2 to %3%4</source>
+        <translation>%1: %2 till %3%4</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
@@ -9790,6 +10476,10 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
         <source>From a file...</source>
         <translation>Från en fil...</translation>
     </message>
+    <message>
+        <source>Seen in</source>
+        <translation>Betraktas i</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::LayerModel</name>
@@ -9840,6 +10530,10 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
 Keys: arrows move it, Home puts it back.</source>
         <translation>Dra lampan: nära kanten ger den släpljus över reliefen. Dubbelklicka för att ställa tillbaka den.
 Tangenter: pilarna flyttar den, Home ställer tillbaka den.</translation>
+    </message>
+    <message>
+        <source>%1° high, from %2°</source>
+        <translation>%1° hög, från %2°</translation>
     </message>
 </context>
 <context>
@@ -10047,6 +10741,57 @@ Tangenter: pilarna flyttar den, Home ställer tillbaka den.</translation>
         <source>Clear</source>
         <translation>Rensa</translation>
     </message>
+    <message>
+        <source>All messages, to be pasted elsewhere</source>
+        <translation>Alla meddelanden, att klistra in någon annanstans</translation>
+    </message>
+    <message>
+        <source>Take all messages off the list</source>
+        <translation>Ta bort alla meddelanden från listan</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::MixesPart</name>
+    <message>
+        <source>Your mixes</source>
+        <translation>Dina blandningar</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Byt namn</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Keep as a mix</source>
+        <translation>Behåll som blandning</translation>
+    </message>
+    <message>
+        <source>Keep the paint in hand as a recipe of tubes, under a name of your own</source>
+        <translation>Behåll färgen i handen som ett recept av tuber, under ett eget namn</translation>
+    </message>
+    <message>
+        <source>Take the chosen mix away</source>
+        <translation>Ta bort den valda blandningen</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportera...</translation>
+    </message>
+    <message>
+        <source>Save your mixes and your palette as a file for others</source>
+        <translation>Spara dina blandningar och din palett som en fil för andra</translation>
+    </message>
+    <message>
+        <source>Import...</source>
+        <translation>Importera...</translation>
+    </message>
+    <message>
+        <source>Add the mixes and the palette of such a file</source>
+        <translation>Lägg till blandningarna och paletten ur en sådan fil</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::MousePart</name>
@@ -10073,6 +10818,13 @@ Tangenter: pilarna flyttar den, Home ställer tillbaka den.</translation>
     <message>
         <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
         <translation>En mus, eller ett finger på skärmen, anger inte hur hårt den trycker.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::NavigatorMap</name>
+    <message>
+        <source>The middle of the window is %1 % from the left and %2 % from the top</source>
+        <translation>Fönstrets mitt är %1 % från vänster och %2 % uppifrån</translation>
     </message>
 </context>
 <context>
@@ -10113,6 +10865,49 @@ Hjulet: närmare, längre bort</translation>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::OpenedPalette</name>
+    <message>
+        <source>none opened</source>
+        <translation>ingen öppnad</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Öppna...</translation>
+    </message>
+    <message>
+        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
+        <translation>Färger från GIMP, Krita eller Inkscape, ur en .gpl-fil</translation>
+    </message>
+    <message>
+        <source>From a picture...</source>
+        <translation>Från en bild...</translation>
+    </message>
+    <message>
+        <source>Finds the colours that a picture is made of</source>
+        <translation>Hittar färgerna som en bild består av</translation>
+    </message>
+    <message>
+        <source>Colours of the picture</source>
+        <translation>Bildens färger</translation>
+    </message>
+    <message>
+        <source>How many colours are looked for</source>
+        <translation>Hur många färger som söks</translation>
+    </message>
+    <message>
+        <source>As recipes of the tubes</source>
+        <translation>Som recept ur tuberna</translation>
+    </message>
+    <message>
+        <source>A click dips the brush in the nearest mixture of tubes, not in the colour itself</source>
+        <translation>Ett klick doppar penseln i den närmaste blandningen ur tuberna, inte i själva färgen</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>Från en fil</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::PaceNotice</name>
     <message>
         <source>The paint runs at %1 of its pace.</source>
@@ -10125,6 +10920,10 @@ Hjulet: närmare, längre bort</translation>
     <message>
         <source>What helps</source>
         <translation>Vad som hjälper</translation>
+    </message>
+    <message>
+        <source>What lets the paint keep up again</source>
+        <translation>Vad som låter färgen hinna med igen</translation>
     </message>
 </context>
 <context>
@@ -10142,6 +10941,14 @@ Hjulet: närmare, längre bort</translation>
 As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</source>
         <translation>%1 (%2), %3
 Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över svart, och med vitt</translation>
+    </message>
+    <message>
+        <source>Put into a set</source>
+        <translation>Lägg i en sats</translation>
+    </message>
+    <message>
+        <source>Take out of this set</source>
+        <translation>Ta ur den här satsen</translation>
     </message>
 </context>
 <context>
@@ -10296,8 +11103,16 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
 <context>
     <name>pastoso::panels::PictureBoard</name>
     <message>
-        <source>No picture to trace</source>
-        <translation>Ingen bild att kalkera</translation>
+        <source>no picture</source>
+        <translation>ingen bild</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixlar</translation>
+    </message>
+    <message>
+        <source>A picture that you choose to trace lies here, to look at and to pick colours from, and below the paint.</source>
+        <translation>En bild som du väljer att kalkera ligger här, att se på och plocka färger ur, och under färgen.</translation>
     </message>
 </context>
 <context>
@@ -10321,6 +11136,13 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PresetPageView</name>
+    <message>
+        <source>%1: as the tool is saved</source>
+        <translation>%1: som verktyget är sparat</translation>
     </message>
 </context>
 <context>
@@ -10447,6 +11269,14 @@ Keys: arrows tilt it, Home lays it flat.</source>
         <translation>Dra för att luta duken: färgen rinner mot knoppen. Dubbelklicka för att lägga den plant.
 Tangenter: pilarna lutar den, Home lägger den plant.</translation>
     </message>
+    <message>
+        <source>flat</source>
+        <translation>plant</translation>
+    </message>
+    <message>
+        <source>%1° steep, down is at %2°</source>
+        <translation>%1° brant, nedåt är vid %2°</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::TracingPanel</name>
@@ -10495,6 +11325,41 @@ Dra: flytta bilden
     <message>
         <source>Its height follows in proportion</source>
         <translation>Dess höjd följer i proportion</translation>
+    </message>
+    <message>
+        <source>Where its left edge lies on the canvas</source>
+        <translation>Var dess vänstra kant ligger på duken</translation>
+    </message>
+    <message>
+        <source>Where its upper edge lies on the canvas</source>
+        <translation>Var dess övre kant ligger på duken</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::TubeMenu</name>
+    <message>
+        <source>Which tubes are shown: all of them, or a set of yours</source>
+        <translation>Vilka tuber som visas: alla, eller en av dina satser</translation>
+    </message>
+    <message>
+        <source>All tubes</source>
+        <translation>Alla tuber</translation>
+    </message>
+    <message>
+        <source>Save as a set...</source>
+        <translation>Spara som en sats...</translation>
+    </message>
+    <message>
+        <source>Rename the set...</source>
+        <translation>Byt namn på satsen...</translation>
+    </message>
+    <message>
+        <source>Remove the set</source>
+        <translation>Ta bort satsen</translation>
+    </message>
+    <message>
+        <source>Squeeze these onto the mixing well</source>
+        <translation>Kläm ut dessa på blandningsytan</translation>
     </message>
 </context>
 <context>

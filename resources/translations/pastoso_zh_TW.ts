@@ -1266,10 +1266,6 @@
         <translation>執行項目的名稱最多 64 個字元，由小寫字母、數字和連字號組成。</translation>
     </message>
     <message>
-        <source>a sample has 4 to 7 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation; here are %1.</source>
-        <translation>取樣點有 4 到 7 個數字，依序為 time、x、y、pressure、tilt_x、tilt_y、rotation；此處有 %1 個。</translation>
-    </message>
-    <message>
         <source>a scene</source>
         <translation>場景</translation>
     </message>
@@ -2785,6 +2781,54 @@
         <source>copied paint</source>
         <translation>複製的顏料</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is there twice.</source>
+        <translation>「%1」出現兩次。</translation>
+    </message>
+    <message>
+        <source>a mix needs a name.</source>
+        <translation>混色需要名稱。</translation>
+    </message>
+    <message>
+        <source>a sample has 4 to 8 numbers, time, x, y, pressure, tilt_x, tilt_y, rotation, wheel; here are %1.</source>
+        <translation>一個取樣有 4 到 8 個數字：time、x、y、pressure、tilt_x、tilt_y、rotation、wheel；這裡有 %1 個。</translation>
+    </message>
+    <message>
+        <source>a set needs a name.</source>
+        <translation>組需要名稱。</translation>
+    </message>
+    <message>
+        <source>change of the resolution</source>
+        <translation>解析度的變更倍率</translation>
+    </message>
+    <message>
+        <source>scale of the height</source>
+        <translation>高度的縮放倍率</translation>
+    </message>
+    <message>
+        <source>scale of the width</source>
+        <translation>寬度的縮放倍率</translation>
+    </message>
+    <message>
+        <source>the panel %1 stands there twice.</source>
+        <translation>面板 %1 出現在兩處。</translation>
+    </message>
+    <message>
+        <source>there are %1 mixes, but only %2 have room.</source>
+        <translation>有 %1 個混色，但只能容納 %2 個。</translation>
+    </message>
+    <message>
+        <source>there is no &quot;%1&quot;.</source>
+        <translation>沒有「%1」。</translation>
+    </message>
+    <message>
+        <source>there is no panel.</source>
+        <translation>沒有面板。</translation>
+    </message>
+    <message>
+        <source>wheel of the pen</source>
+        <translation>筆的滾輪</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3248,6 +3292,74 @@
         <source>Favourite</source>
         <translation>最愛</translation>
     </message>
+    <message>
+        <source>The brush is not over it</source>
+        <translation>筆刷不在其上</translation>
+    </message>
+    <message>
+        <source>Brush at %1, %2 mm</source>
+        <translation>筆刷位於 %1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Kind of paint</source>
+        <translation>顏料種類</translation>
+    </message>
+    <message>
+        <source>Charcoal and pastels</source>
+        <translation>炭筆與粉彩</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>筆尖</translation>
+    </message>
+    <message>
+        <source>Sponges and rollers</source>
+        <translation>海綿與滾筒</translation>
+    </message>
+    <message>
+        <source>Direction of the stroke</source>
+        <translation>筆觸的方向</translation>
+    </message>
+    <message>
+        <source>Distance travelled</source>
+        <translation>移動的距離</translation>
+    </message>
+    <message>
+        <source>Time since the touch</source>
+        <translation>接觸後的時間</translation>
+    </message>
+    <message>
+        <source>Distance in brush widths</source>
+        <translation>以筆寬計的距離</translation>
+    </message>
+    <message>
+        <source>Chance, each stroke</source>
+        <translation>隨機（每一筆）</translation>
+    </message>
+    <message>
+        <source>Chance along the stroke</source>
+        <translation>隨機（沿著筆觸）</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>滾輪</translation>
+    </message>
+    <message>
+        <source>Paint left on the tool</source>
+        <translation>工具上剩餘的顏料</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 widths</source>
+        <translation>%1 個筆寬</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -3317,6 +3429,33 @@
     <message>
         <source>Width</source>
         <translation>寬度</translation>
+    </message>
+</context>
+<context>
+    <name>TourCommands</name>
+    <message>
+        <source>Paint</source>
+        <translation>作畫</translation>
+    </message>
+    <message>
+        <source>Press on the canvas and drag: the brush lays wet paint, and drags along what is wet already. A pen that presses harder bends the hairs further.</source>
+        <translation>在畫布上按下並拖曳：筆刷會塗上濕的顏料，並帶動仍未乾的顏料。筆壓得越重，筆毛彎得越多。</translation>
+    </message>
+    <message>
+        <source>Move the canvas, and pick paint from it</source>
+        <translation>移動畫布，並從畫布上取色</translation>
+    </message>
+    <message>
+        <source>Hold Space and drag to move the canvas; the wheel goes nearer. Ctrl and a click put the paint under the pointer on your brush.</source>
+        <translation>按住空白鍵並拖曳可移動畫布；滾輪可拉近。按 Ctrl 並點一下，筆刷會沾上指標下的顏料。</translation>
+    </message>
+    <message>
+        <source>Take another paint, and take a stroke back</source>
+        <translation>換顏料，並復原筆觸</translation>
+    </message>
+    <message>
+        <source>Choose a paint here. %1 loads the brush anew, %2 takes the last stroke back.</source>
+        <translation>在此選擇顏料。%1 重新沾顏料，%2 復原上一筆。</translation>
     </message>
 </context>
 <context>
@@ -3852,6 +3991,54 @@
     <message>
         <source>Pressure in the middle of the jet.</source>
         <translation>氣流中心的壓力。</translation>
+    </message>
+    <message>
+        <source>Calligraphy nib 3</source>
+        <translation>書法筆尖 3</translation>
+    </message>
+    <message>
+        <source>Charcoal 8</source>
+        <translation>炭筆 8</translation>
+    </message>
+    <message>
+        <source>Marbling comb 80</source>
+        <translation>大理石紋梳 80</translation>
+    </message>
+    <message>
+        <source>Oil pastel 10</source>
+        <translation>油性粉彩 10</translation>
+    </message>
+    <message>
+        <source>Roller 50</source>
+        <translation>滾筒 50</translation>
+    </message>
+    <message>
+        <source>Ruling pen 1</source>
+        <translation>鴨嘴筆 1</translation>
+    </message>
+    <message>
+        <source>Sponge 45</source>
+        <translation>海綿 45</translation>
+    </message>
+    <message>
+        <source>Squeegee 120</source>
+        <translation>刮刀膠條 120</translation>
+    </message>
+    <message>
+        <source>Width of a comb&apos;s tooth, in distances of its teeth.</source>
+        <translation>梳齒的寬度，以齒距為單位。</translation>
+    </message>
+    <message>
+        <source>Depth of a sponge&apos;s pores.</source>
+        <translation>海綿孔洞的深度。</translation>
+    </message>
+    <message>
+        <source>Way round a roller, after which its mark comes again; 0: it does not roll.</source>
+        <translation>滾筒一圈的長度，之後痕跡會重複；0：不滾動。</translation>
+    </message>
+    <message>
+        <source>0: levels the hollows that it reaches, 1: coats the grain alone.</source>
+        <translation>0：填平所及的凹處；1：只覆在紋理凸處。</translation>
     </message>
 </context>
 <context>
@@ -5416,6 +5603,170 @@
         <source>Write all tools of your own into a bundle, a file to keep or to give away</source>
         <translation>將自己的所有工具寫入一個套件檔，可保存或分享</translation>
     </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>視窗(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Save a &amp;version</source>
+        <translation>儲存版本(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Go on in a file of the next number beside this one, which stays as it is</source>
+        <translation>在旁邊以下一個編號的檔案繼續；目前的檔案保持不變</translation>
+    </message>
+    <message>
+        <source>Close the pain&amp;ting</source>
+        <translation>關閉畫作(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Put the painting away; the start page says what there is to go on with</source>
+        <translation>把畫收起來；起始頁會列出可以繼續的內容</translation>
+    </message>
+    <message>
+        <source>Scale image to &amp;new size...</source>
+        <translation>縮放圖片到新尺寸(&amp;N)...</translation>
+    </message>
+    <message>
+        <source>Draw the whole painting out, or make it of finer or coarser pixels</source>
+        <translation>放大或縮小整幅畫，或改用更細或更粗的像素</translation>
+    </message>
+    <message>
+        <source>Toned g&amp;round...</source>
+        <translation>有色底(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>Cover the whole canvas with a dry coat of the paint in hand, below all layers</source>
+        <translation>用手上的顏料在所有圖層之下鋪滿一層乾的底色</translation>
+    </message>
+    <message>
+        <source>Full scr&amp;een</source>
+        <translation>全螢幕(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The window on the whole screen, without the bars of the desktop</source>
+        <translation>視窗占滿整個螢幕，不顯示桌面的工作列</translation>
+    </message>
+    <message>
+        <source>S&amp;quint</source>
+        <translation>瞇眼觀看(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>The painting as with half-closed eyes: large shapes without their details</source>
+        <translation>像瞇著眼看畫：只見大形，不見細節</translation>
+    </message>
+    <message>
+        <source>&amp;Brushes panel</source>
+        <translation>筆刷面板(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The tools to paint with, how wide they are and how steady they keep</source>
+        <translation>作畫用的工具、寬度與穩定程度</translation>
+    </message>
+    <message>
+        <source>&amp;Paints panel</source>
+        <translation>顏料面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The tubes of paint</source>
+        <translation>各管顏料</translation>
+    </message>
+    <message>
+        <source>&amp;Easel panel</source>
+        <translation>畫架面板(&amp;E)</translation>
+    </message>
+    <message>
+        <source>How the canvas stands, where the lamp is, and how fast paint dries</source>
+        <translation>畫布的擺放方式、燈的位置與顏料乾燥的速度</translation>
+    </message>
+    <message>
+        <source>T&amp;ool bar</source>
+        <translation>工具列(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The bar of buttons; drag it by its end to another side, or off the window</source>
+        <translation>按鈕列；拖曳其末端可移到另一邊，或移出視窗</translation>
+    </message>
+    <message>
+        <source>&amp;New window</source>
+        <translation>開新視窗(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Another window, with an easel of its own</source>
+        <translation>另一個視窗，有自己的畫架</translation>
+    </message>
+    <message>
+        <source>S&amp;ketch</source>
+        <translation>草圖(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Brushes and paints beside a large canvas, and nothing else</source>
+        <translation>大畫布旁只有筆刷與顏料</translation>
+    </message>
+    <message>
+        <source>&amp;Oil</source>
+        <translation>油畫(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Brushes, paints and easel beside the tool and the layers</source>
+        <translation>筆刷、顏料與畫架，以及工具與圖層</translation>
+    </message>
+    <message>
+        <source>&amp;Mixing</source>
+        <translation>調色(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Paints, colours and what the paint is like, beside a large mixing well</source>
+        <translation>大調色槽旁有顏料、色彩與顏料的性質</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>匯出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Lights, layers, the whole canvas and its recording, to finish a painting</source>
+        <translation>光源、圖層、整張畫布與其記錄，用於完成畫作</translation>
+    </message>
+    <message>
+        <source>&amp;Save the workspace...</source>
+        <translation>儲存工作區(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>Keep the panels as they stand now, under a name of your own</source>
+        <translation>以自訂的名稱保留面板目前的排列</translation>
+    </message>
+    <message>
+        <source>&amp;Rename the workspace...</source>
+        <translation>重新命名工作區(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>Give your own workspace that is in use another name</source>
+        <translation>為使用中的自訂工作區取另一個名稱</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve the workspace</source>
+        <translation>移除工作區(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Forget your own workspace that is in use; the panels stay as they stand</source>
+        <translation>忘掉使用中的自訂工作區；面板保持不變</translation>
+    </message>
+    <message>
+        <source>&amp;Left-handed</source>
+        <translation>左手模式(&amp;L)</translation>
+    </message>
+    <message>
+        <source>What stands on the left changes places with what stands on the right</source>
+        <translation>左邊與右邊的面板互換位置</translation>
+    </message>
+    <message>
+        <source>Show me &amp;round</source>
+        <translation>帶我看看(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Three steps: paint, move the canvas, take other paint</source>
+        <translation>三個步驟：作畫、移動畫布、換顏料</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6075,6 +6426,57 @@
     </message>
 </context>
 <context>
+    <name>pastoso::dialogs::ScaleDialog</name>
+    <message>
+        <source>Paint keeps its thickness, so that there is %1 times as much of it.</source>
+        <translation>顏料厚度不變，因此用量變為 %1 倍。</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;proportions</source>
+        <translation>維持比例(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Scale the image</source>
+        <translation>縮放圖片</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in</source>
+        <translation>也可以輸入其他單位：50 cm、20 in</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>也可以輸入每英吋點數：127 dpi</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>寬度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>解析度</translation>
+    </message>
+    <message>
+        <source>The image has this size and this resolution.</source>
+        <translation>圖片已經是這個尺寸和解析度。</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
+        <translation>%1 × %2 像素、%3 dpi 的圖片；全部都是濕顏料時，最多占用 %4 MiB 記憶體。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::dialogs::SelectRangeDialog</name>
     <message>
         <source>Select it</source>
@@ -6466,6 +6868,14 @@
     <message>
         <source>Filled with paint</source>
         <translation>以顏料填滿</translation>
+    </message>
+    <message>
+        <source>Painting scaled</source>
+        <translation>整幅畫已縮放</translation>
+    </message>
+    <message>
+        <source>Ground toned</source>
+        <translation>已鋪有色底</translation>
     </message>
 </context>
 <context>
@@ -7352,6 +7762,33 @@
     </message>
 </context>
 <context>
+    <name>pastoso::help::TourBubble</name>
+    <message>
+        <source>Skip the tour</source>
+        <translation>略過導覽</translation>
+    </message>
+    <message>
+        <source>Go on with the tour</source>
+        <translation>繼續導覽</translation>
+    </message>
+    <message>
+        <source>Leave the tour, as Escape does; &quot;Show me round&quot; in the &quot;Help&quot; menu brings it back</source>
+        <translation>離開導覽（按 Esc 亦可）；「說明」選單的「帶我看看」可再次開啟</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main</name>
     <message>
         <source>OpenGL</source>
@@ -7624,6 +8061,18 @@
     <message>
         <source>Paint it again, finer...</source>
         <translation>重新繪製...</translation>
+    </message>
+    <message>
+        <source>Brushes</source>
+        <translation>筆刷</translation>
+    </message>
+    <message>
+        <source>Paints</source>
+        <translation>顏料</translation>
+    </message>
+    <message>
+        <source>Easel</source>
+        <translation>畫架</translation>
     </message>
 </context>
 <context>
@@ -7937,6 +8386,22 @@
         <source>Keep</source>
         <translation>保留</translation>
     </message>
+    <message>
+        <source>Toned ground</source>
+        <translation>有色底</translation>
+    </message>
+    <message>
+        <source>An even coat of the paint in hand covers the whole canvas, dry at once, on a layer below all others: 0.02 mm tints the canvas, 0.1 mm covers it.</source>
+        <translation>用手上的顏料均勻鋪滿整張畫布並立即乾燥，位於所有圖層之下：0.02 mm 微微上色，0.1 mm 完全覆蓋。</translation>
+    </message>
+    <message>
+        <source>Tone the ground</source>
+        <translation>鋪底色</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>底色</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::GlassMode</name>
@@ -8039,6 +8504,13 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::NewWindow</name>
+    <message>
+        <source>%1 cannot be started: there is no other window.</source>
+        <translation>無法啟動 %1：沒有另一個視窗。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::PaintPicking</name>
     <message>
         <source>Picked up wet paint: %1</source>
@@ -8066,6 +8538,56 @@
     <message>
         <source>Palettes (*.gpl)</source>
         <translation>調色盤 (*.gpl)</translation>
+    </message>
+    <message>
+        <source>Colours of a picture</source>
+        <translation>圖片的顏色</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>圖片 (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在讀取 %1</translation>
+    </message>
+    <message>
+        <source>Save the palette</source>
+        <translation>儲存調色盤</translation>
+    </message>
+    <message>
+        <source>my-palette.gpl</source>
+        <translation>my-palette.gpl</translation>
+    </message>
+    <message>
+        <source>Export my paints</source>
+        <translation>匯出我的顏料</translation>
+    </message>
+    <message>
+        <source>my-paints.json</source>
+        <translation>my-paints.json</translation>
+    </message>
+    <message>
+        <source>Sets of paints (*.json)</source>
+        <translation>顏料組 (*.json)</translation>
+    </message>
+    <message>
+        <source>Import paints</source>
+        <translation>匯入顏料</translation>
+    </message>
+    <message>
+        <source>You have all paints of that set already.</source>
+        <translation>你已有該組的所有顏料。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n paint(s) added to your own.</source>
+        <translation>
+            <numerusform>已將 %n 種顏料加入你自己的顏料。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>已儲存 %1。</translation>
     </message>
 </context>
 <context>
@@ -8265,6 +8787,10 @@
     <message>
         <source>Recovering the painting</source>
         <translation>正在復原畫作</translation>
+    </message>
+    <message>
+        <source>Save a version</source>
+        <translation>儲存版本</translation>
     </message>
 </context>
 <context>
@@ -8668,6 +9194,63 @@
     <message>
         <source>Reading %1</source>
         <translation>正在讀取 %1</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::TubeCommands</name>
+    <message>
+        <source>Save the tubes as a set</source>
+        <translation>將管裝顏料存成一組</translation>
+    </message>
+    <message>
+        <source>Rename the set</source>
+        <translation>重新命名此組</translation>
+    </message>
+    <message>
+        <source>Name of the set:</source>
+        <translation>此組的名稱：</translation>
+    </message>
+    <message>
+        <source>A set needs a name.</source>
+        <translation>組需要名稱。</translation>
+    </message>
+    <message>
+        <source>Type another name: that one is empty, or another set&apos;s.</source>
+        <translation>請輸入其他名稱：該名稱為空，或屬於另一組。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ViewCommands</name>
+    <message>
+        <source>Canvas %1 × %2 mm, %3 cells a millimetre</source>
+        <translation>畫布 %1 × %2 mm，每毫米 %3 格</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::WorkspaceCommands</name>
+    <message>
+        <source>There is a workspace &quot;%1&quot; already.</source>
+        <translation>已有名為「%1」的工作區。</translation>
+    </message>
+    <message>
+        <source>The workspace &quot;%1&quot; comes with the program: choose another name.</source>
+        <translation>工作區「%1」為程式內建：請選擇其他名稱。</translation>
+    </message>
+    <message>
+        <source>Save the workspace</source>
+        <translation>儲存工作區</translation>
+    </message>
+    <message>
+        <source>Name of the workspace; one of your own with this name is replaced:</source>
+        <translation>工作區的名稱；同名的自訂工作區會被取代：</translation>
+    </message>
+    <message>
+        <source>Rename the workspace</source>
+        <translation>重新命名工作區</translation>
+    </message>
+    <message>
+        <source>Name of the workspace:</source>
+        <translation>工作區的名稱：</translation>
     </message>
 </context>
 <context>
@@ -9272,6 +9855,93 @@
         <source>Air</source>
         <translation>空氣</translation>
     </message>
+    <message>
+        <source>nib</source>
+        <translation>筆尖</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>梳齒</translation>
+    </message>
+    <message>
+        <source>Pores</source>
+        <translation>孔洞</translation>
+    </message>
+    <message>
+        <source>Girth</source>
+        <translation>周長</translation>
+    </message>
+    <message>
+        <source>On the grain</source>
+        <translation>紋理上</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::AidsPart</name>
+    <message>
+        <source>Harmony and gamut mask</source>
+        <translation>色彩調和與色域遮罩</translation>
+    </message>
+    <message>
+        <source>Marks for hues that go together, and a shape on the wheel to choose within</source>
+        <translation>標示相配的色相，以及色環上供選色的形狀</translation>
+    </message>
+    <message>
+        <source>Harmony</source>
+        <translation>色彩調和</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>無</translation>
+    </message>
+    <message>
+        <source>Complementary</source>
+        <translation>互補色</translation>
+    </message>
+    <message>
+        <source>Split complementary</source>
+        <translation>分裂互補色</translation>
+    </message>
+    <message>
+        <source>Analogous</source>
+        <translation>類似色</translation>
+    </message>
+    <message>
+        <source>Triad</source>
+        <translation>三等分</translation>
+    </message>
+    <message>
+        <source>Tetrad</source>
+        <translation>四等分</translation>
+    </message>
+    <message>
+        <source>The hues that go with yours are marked on the ring: a click takes one</source>
+        <translation>與目前色相相配的色相標示在環上：按一下即可選用</translation>
+    </message>
+    <message>
+        <source>Gamut mask</source>
+        <translation>色域遮罩</translation>
+    </message>
+    <message>
+        <source>Atmospheric triad</source>
+        <translation>氛圍三色</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>圓形</translation>
+    </message>
+    <message>
+        <source>The colours of one lightness on a disc, and a shape that the wheel keeps to</source>
+        <translation>以圓盤顯示同一明度的顏色，選色限於其中的形狀</translation>
+    </message>
+    <message>
+        <source>Turn of the gamut mask</source>
+        <translation>色域遮罩的旋轉</translation>
+    </message>
+    <message>
+        <source>Turns the gamut mask</source>
+        <translation>旋轉色域遮罩</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::BrushEditor</name>
@@ -9420,6 +10090,10 @@
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
+    <message>
+        <source>Width of the brush&apos;s tip</source>
+        <translation>筆尖寬度</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::ColourPanel</name>
@@ -9460,22 +10134,6 @@
         <translation>將手上的顏料放到你的調色盤</translation>
     </message>
     <message>
-        <source>From a file</source>
-        <translation>從檔案載入</translation>
-    </message>
-    <message>
-        <source>none opened</source>
-        <translation>尚未開啟</translation>
-    </message>
-    <message>
-        <source>Open...</source>
-        <translation>開啟...</translation>
-    </message>
-    <message>
-        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
-        <translation>GIMP、Krita 或 Inkscape 的顏色，來自 .gpl 檔案</translation>
-    </message>
-    <message>
         <source>The colour itself, as a paint of its own: %1</source>
         <translation>這個顏色本身，當作一種獨立的顏料：%1</translation>
     </message>
@@ -9494,6 +10152,18 @@ The right button, or Delete, takes it away.</source>
 ΔE %2, %3; %4</source>
         <translation>%1
 ΔE %2，%3；%4</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>儲存...</translation>
+    </message>
+    <message>
+        <source>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</source>
+        <translation>將你的調色盤顏色存成 GIMP、Krita 或 Inkscape 用的 .gpl 檔案</translation>
+    </message>
+    <message>
+        <source>There is no room for more mixes; take one away first.</source>
+        <translation>沒有空間再放混色了；請先移除一個。</translation>
     </message>
 </context>
 <context>
@@ -9563,6 +10233,16 @@ screen has it. Keys: arrows, Page Up and Page Down for the hue, with Ctrl finely
 Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.</source>
         <translation>拖曳控制點；在旁邊按一下可新增，按右鍵可移除。
 按鍵：Page Up 和 Page Down 選取，方向鍵移動，Insert 新增，Delete 移除。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n 個點</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Point %1 of %2: %3 % across, %4 % up</source>
+        <translation>第 %1 點，共 %2 點：橫向 %3 %，縱向 %4 %</translation>
     </message>
 </context>
 <context>
@@ -9716,6 +10396,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <source>Turned by</source>
         <translation>旋轉角度</translation>
     </message>
+    <message>
+        <source>%1: %2 to %3%4</source>
+        <translation>%1：%2 到 %3%4</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
@@ -9773,6 +10457,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <source>From a file...</source>
         <translation>從檔案...</translation>
     </message>
+    <message>
+        <source>Seen in</source>
+        <translation>觀看光源</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::LayerModel</name>
@@ -9823,6 +10511,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
 Keys: arrows move it, Home puts it back.</source>
         <translation>拖曳燈的位置：靠近邊緣時，斜光會掃出起伏。按兩下可恢復原位。
 按鍵：方向鍵移動燈，Home 恢復原位。</translation>
+    </message>
+    <message>
+        <source>%1° high, from %2°</source>
+        <translation>高 %1°，來自 %2°</translation>
     </message>
 </context>
 <context>
@@ -10030,6 +10722,57 @@ Keys: arrows move it, Home puts it back.</source>
         <source>Clear</source>
         <translation>清除</translation>
     </message>
+    <message>
+        <source>All messages, to be pasted elsewhere</source>
+        <translation>複製所有訊息，以便貼到別處</translation>
+    </message>
+    <message>
+        <source>Take all messages off the list</source>
+        <translation>清除清單中的所有訊息</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::MixesPart</name>
+    <message>
+        <source>Your mixes</source>
+        <translation>你的混色</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重新命名</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Keep as a mix</source>
+        <translation>保留為混色</translation>
+    </message>
+    <message>
+        <source>Keep the paint in hand as a recipe of tubes, under a name of your own</source>
+        <translation>將手上的顏料以管裝顏料配方保留，並自行命名</translation>
+    </message>
+    <message>
+        <source>Take the chosen mix away</source>
+        <translation>移除所選的混色</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>匯出...</translation>
+    </message>
+    <message>
+        <source>Save your mixes and your palette as a file for others</source>
+        <translation>將你的混色與調色盤存成檔案供他人使用</translation>
+    </message>
+    <message>
+        <source>Import...</source>
+        <translation>匯入...</translation>
+    </message>
+    <message>
+        <source>Add the mixes and the palette of such a file</source>
+        <translation>加入這種檔案中的混色與調色盤</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::MousePart</name>
@@ -10056,6 +10799,13 @@ Keys: arrows move it, Home puts it back.</source>
     <message>
         <source>A mouse, or a finger on the screen, does not tell how hard it presses.</source>
         <translation>滑鼠或在螢幕上的手指無法提供下壓的力道。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::NavigatorMap</name>
+    <message>
+        <source>The middle of the window is %1 % from the left and %2 % from the top</source>
+        <translation>視窗中心位於左起 %1 %、上起 %2 %</translation>
     </message>
 </context>
 <context>
@@ -10096,6 +10846,49 @@ Wheel: closer, farther</source>
     </message>
 </context>
 <context>
+    <name>pastoso::panels::OpenedPalette</name>
+    <message>
+        <source>none opened</source>
+        <translation>尚未開啟</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>開啟...</translation>
+    </message>
+    <message>
+        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
+        <translation>GIMP、Krita 或 Inkscape 的顏色，來自 .gpl 檔案</translation>
+    </message>
+    <message>
+        <source>From a picture...</source>
+        <translation>從圖片...</translation>
+    </message>
+    <message>
+        <source>Finds the colours that a picture is made of</source>
+        <translation>找出構成圖片的顏色</translation>
+    </message>
+    <message>
+        <source>Colours of the picture</source>
+        <translation>圖片的顏色</translation>
+    </message>
+    <message>
+        <source>How many colours are looked for</source>
+        <translation>要找出幾種顏色</translation>
+    </message>
+    <message>
+        <source>As recipes of the tubes</source>
+        <translation>以管裝顏料配方</translation>
+    </message>
+    <message>
+        <source>A click dips the brush in the nearest mixture of tubes, not in the colour itself</source>
+        <translation>按一下會讓筆刷沾最接近的管裝顏料混色，而非該顏色本身</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>從檔案載入</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::PaceNotice</name>
     <message>
         <source>The paint runs at %1 of its pace.</source>
@@ -10108,6 +10901,10 @@ Wheel: closer, farther</source>
     <message>
         <source>What helps</source>
         <translation>可以怎麼做</translation>
+    </message>
+    <message>
+        <source>What lets the paint keep up again</source>
+        <translation>讓顏料跟上的方法</translation>
     </message>
 </context>
 <context>
@@ -10125,6 +10922,14 @@ Wheel: closer, farther</source>
 As the tool in hand lays it (%4 mm), thinned over white and over black, and with white</source>
         <translation>%1 (%2)，%3
 手上工具塗出的厚度（%4 mm）、在白底與黑底上推薄的顏色，以及加白調淡的顏色</translation>
+    </message>
+    <message>
+        <source>Put into a set</source>
+        <translation>放入一組</translation>
+    </message>
+    <message>
+        <source>Take out of this set</source>
+        <translation>從此組取出</translation>
     </message>
 </context>
 <context>
@@ -10279,8 +11084,16 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
 <context>
     <name>pastoso::panels::PictureBoard</name>
     <message>
-        <source>No picture to trace</source>
-        <translation>沒有描圖用的底圖</translation>
+        <source>no picture</source>
+        <translation>沒有圖片</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>A picture that you choose to trace lies here, to look at and to pick colours from, and below the paint.</source>
+        <translation>您選擇用來描圖的圖片會放在這裡，可供觀看與取色，也會顯示在顏料下方。</translation>
     </message>
 </context>
 <context>
@@ -10304,6 +11117,13 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::PresetPageView</name>
+    <message>
+        <source>%1: as the tool is saved</source>
+        <translation>%1：還原為已儲存工具的值</translation>
     </message>
 </context>
 <context>
@@ -10430,6 +11250,14 @@ Keys: arrows tilt it, Home lays it flat.</source>
         <translation>拖曳可傾斜畫布：顏料流向旋鈕。按兩下可放平。
 按鍵：方向鍵傾斜畫布，Home 放平。</translation>
     </message>
+    <message>
+        <source>flat</source>
+        <translation>平放</translation>
+    </message>
+    <message>
+        <source>%1° steep, down is at %2°</source>
+        <translation>傾斜 %1°，向下為 %2°</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::TracingPanel</name>
@@ -10478,6 +11306,41 @@ Drag: move the picture
     <message>
         <source>Its height follows in proportion</source>
         <translation>高度依比例調整</translation>
+    </message>
+    <message>
+        <source>Where its left edge lies on the canvas</source>
+        <translation>其左緣在畫布上的位置</translation>
+    </message>
+    <message>
+        <source>Where its upper edge lies on the canvas</source>
+        <translation>其上緣在畫布上的位置</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::TubeMenu</name>
+    <message>
+        <source>Which tubes are shown: all of them, or a set of yours</source>
+        <translation>顯示哪些管裝顏料：全部，或你的一組</translation>
+    </message>
+    <message>
+        <source>All tubes</source>
+        <translation>所有管裝顏料</translation>
+    </message>
+    <message>
+        <source>Save as a set...</source>
+        <translation>存成一組...</translation>
+    </message>
+    <message>
+        <source>Rename the set...</source>
+        <translation>重新命名此組...</translation>
+    </message>
+    <message>
+        <source>Remove the set</source>
+        <translation>移除此組</translation>
+    </message>
+    <message>
+        <source>Squeeze these onto the mixing well</source>
+        <translation>將這些擠到調色槽上</translation>
     </message>
 </context>
 <context>
