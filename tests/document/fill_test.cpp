@@ -267,7 +267,7 @@ TEST_F(ToningTest, ItIsTheSameOnFinerCells) {
 
 TEST_F(ToningTest, WhatCannotBeIsRefused) {
     grey.thickness_mm = 5.0;
-    EXPECT_THAT(error_of([&] { painting.apply(grey); }), HasSubstr("thickness of the film is 5 mm"));
+    EXPECT_THAT(error_of([&] { painting.apply(grey); }), HasSubstr("thickness of the film in mm is 5"));
     grey = {paint_of("nothing"), 0.1, "Ground"};
     EXPECT_THAT(error_of([&] { painting.apply(grey); }), HasSubstr("nothing"));
     EXPECT_EQ(painting.layers().layers.size(), 1U);

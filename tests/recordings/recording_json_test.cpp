@@ -122,7 +122,7 @@ Recording everything() {
         {46, BorderSelection{1.5}},
         {47, FillWithPaint{{{{"PB29", 1.0}}, 0.5}, 0.35, {{{"PW6", 1.0}}}, {{5, 10}, {40.5, 30}}}},
         {47, FillWithPaint{{{{"PB29", 1.0}}}}},
-        {47, ToneGround{{{{"PBr7", 2.0}, {"PW6", 1.0}}}, 0.05, "Ground"}},
+        {47, ToneGround{{{{"PBr7-RU", 2.0}, {"PW6", 1.0}}}, 0.05, "Ground"}},
         {48, SelectAll{}},
     };
     recording.end_tick = 100;
@@ -226,8 +226,8 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":13,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 13; this program reads up to 12).");
+        error(R"({"format":"pastoso-strokes","version":14,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 14; this program reads up to 13).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {

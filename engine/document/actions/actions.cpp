@@ -22,6 +22,12 @@ class NewestField {
             if (field.since > version_ && Field::At::of(told_) != Field::At::of(fresh_))
                 version_ = field.since;
     }
+    template <class Place>
+    void operator()(const Part<Place>&) const {
+        const auto& part = Place::of(told_);
+        using Kind = std::remove_cvref_t<decltype(part)>;
+        Table<Kind>::fields(NewestField<Kind>(part, version_));
+    }
 
   private:
     const Told& told_;
