@@ -32,10 +32,11 @@ QString paint_words(const document::ScaleCanvas& scale) {
 
 }  // namespace
 
-/// A number that is left as it was is so exactly, however it is rounded for reading.
+/// A number that is left as it was set is so exactly, however it is rounded for reading.
 double ScaleDialog::Number::change() const {
     const double half_step = 0.5 * std::pow(10.0, -kDecimals);
-    return std::abs(box->value() - before) <= half_step ? 1.0 : box->value() / before;
+    const bool is_left = std::abs(box->value() - set_change * before) <= half_step;
+    return is_left ? set_change : box->value() / before;
 }
 
 ScaleDialog::ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent)
@@ -96,10 +97,11 @@ ScaleDialog::Number ScaleDialog::add_number(QDoubleSpinBox* box, const QString& 
     return {box, value};
 }
 
-void ScaleDialog::keep_proportions(const Number& set, const Number& other) {
+void ScaleDialog::keep_proportions(const Number& typed, Number& other) {
     if (proportions_->isChecked()) {
         const QSignalBlocker quiet(other.box);
-        other.box->setValue(other.before * set.change());
+        other.set_change = typed.change();
+        other.box->setValue(other.before * other.set_change);
     }
     show_outcome();
 }

@@ -19,14 +19,15 @@ class ScaleDialog : public GrowingDialog {
     document::ScaleCanvas wanted() const;
 
   private:
-    /// One number and what it was before.
+    /// One number, what it was before, and how many times as much it was last set to be, exactly.
     struct Number {
         QDoubleSpinBox* box = nullptr;
         double before = 0.0;
+        double set_change = 1.0;
         double change() const;
     };
     Number add_number(QDoubleSpinBox* box, const QString& name, double value, const QString& suffix);
-    void keep_proportions(const Number& set, const Number& other);
+    void keep_proportions(const Number& typed, Number& other);
     void show_outcome();
     void show_possible(bool possible, const QString& words);
 

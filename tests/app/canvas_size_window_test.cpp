@@ -327,6 +327,12 @@ TEST_F(ScaledImage, TheDialogSaysWhatBecomesOfTheImage) {
         EXPECT_EQ(child<QDoubleSpinBox>(dialog, "width_mm").value(), 30.0);
         EXPECT_THAT(words(dialog), HasSubstr("120 × 80 pixels, 102 dpi"));
         EXPECT_THAT(words(dialog), HasSubstr("0.25 times as much"));
+        child<QDoubleSpinBox>(dialog, "height_mm").setValue(25.0);
+        EXPECT_EQ(child<QDoubleSpinBox>(dialog, "width_mm").value(), 37.5);
+        child<QDoubleSpinBox>(dialog, "width_mm").setValue(35.0);
+        EXPECT_EQ(child<QDoubleSpinBox>(dialog, "height_mm").value(), 23.33);
+        EXPECT_EQ(dialog.wanted(), (document::ScaleCanvas{35.0 / 60.0, 35.0 / 60.0, 1.0})) << "exactly";
+        child<QDoubleSpinBox>(dialog, "height_mm").setValue(20.0);
         child<QCheckBox>(dialog, "proportions").setChecked(false);
         child<QDoubleSpinBox>(dialog, "height_mm").setValue(40.0);
         EXPECT_EQ(child<QDoubleSpinBox>(dialog, "width_mm").value(), 30.0);
