@@ -128,8 +128,8 @@ TEST_F(ColoursWindow, CanvasAndSwatchesTakeTheColoursOfTheScreen) {
         canvas().zoom_about_centre(2.0);  // nothing but canvas
         const QImage plain = picture();
         auto* swatch = window().findChildren<panels::PaintSwatch*>().front();
-        const QColor before =
-            swatch->grab().toImage().pixelColor(swatch->width() / 4, swatch->height() / 2);
+        const QPoint beside_the_mark(swatch->width() / 2, swatch->height() / 2);
+        const QColor before = swatch->grab().toImage().pixelColor(beside_the_mark);
         show_on(swapped());
         EXPECT_TRUE(messages().empty());
         const QImage seen = picture();
@@ -137,8 +137,7 @@ TEST_F(ColoursWindow, CanvasAndSwatchesTakeTheColoursOfTheScreen) {
         // curve raises in the dark.
         EXPECT_LT(mean_fault(plain, seen), 0.75);
         EXPECT_GT(difference(plain, seen).mean, 3.0);
-        const QColor after =
-            swatch->grab().toImage().pixelColor(swatch->width() / 4, swatch->height() / 2);
+        const QColor after = swatch->grab().toImage().pixelColor(beside_the_mark);
         EXPECT_NEAR(after.red(), swapped_level(before.green()), 1.0);
         EXPECT_NEAR(after.green(), swapped_level(before.red()), 1.0);
         in_settings([](QWidget& dialog) { choose(dialog, "none"); });
