@@ -3994,7 +3994,7 @@
     </message>
     <message>
         <source>Calligraphy nib 3</source>
-        <translation>Kalligrafipenna 3</translation>
+        <translation>Textpenna 3</translation>
     </message>
     <message>
         <source>Charcoal 8</source>
@@ -4002,7 +4002,7 @@
     </message>
     <message>
         <source>Marbling comb 80</source>
-        <translation>Marmoreringskam 80</translation>
+        <translation>Marmorkam 80</translation>
     </message>
     <message>
         <source>Oil pastel 10</source>

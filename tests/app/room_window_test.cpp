@@ -151,7 +151,7 @@ TEST_F(RoomWindow, NoNameOfAToolOrAPaintIsCut) {
                                         .boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap,
                                                       item->text());
                 EXPECT_LE(words.height(), place.height()) << item->text().toStdString();
-                EXPECT_LE(place.right(), list->viewport()->width());
+                EXPECT_LE(place.right(), list->viewport()->width()) << item->text().toStdString();
             }
         }
     }
