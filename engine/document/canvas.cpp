@@ -46,6 +46,10 @@ int cells_from_origin(double place_mm, double px_per_mm) {
     return static_cast<int>(std::lround(place_mm * px_per_mm));
 }
 
+double on_whole_cells(double place_mm, double px_per_mm) {
+    return cells_from_origin(place_mm, px_per_mm) / px_per_mm;
+}
+
 /// So that 6.3 is 6.3, whatever it is a product of.
 double in_millionths(double value) {
     return std::round(1e6 * value) / 1e6;
@@ -116,13 +120,10 @@ grid::Extent extent_of(const ResizeCanvas& resize, const CanvasSettings& setting
 }
 
 CanvasSettings resized(const ResizeCanvas& resize, CanvasSettings settings) {
-    const auto whole_cells = [&](double place_mm) {
-        return cells_from_origin(place_mm, settings.px_per_mm) / settings.px_per_mm;
-    };
     settings.width_mm = resize.width_mm;
     settings.height_mm = resize.height_mm;
-    settings.support_x_mm += whole_cells(resize.x_mm);
-    settings.support_y_mm += whole_cells(resize.y_mm);
+    settings.support_x_mm += on_whole_cells(resize.x_mm, settings.px_per_mm);
+    settings.support_y_mm += on_whole_cells(resize.y_mm, settings.px_per_mm);
     check_canvas(settings);
     return settings;
 }
@@ -160,11 +161,8 @@ CanvasSettings scaled(const ScaleCanvas& scale, CanvasSettings settings) {
     settings.width_mm = in_millionths(scale.scale_x * settings.width_mm);
     settings.height_mm = in_millionths(scale.scale_y * settings.height_mm);
     settings.px_per_mm = in_millionths(scale.finer * settings.px_per_mm);
-    const auto whole_cells = [&](double place_mm) {
-        return cells_from_origin(place_mm, settings.px_per_mm) / settings.px_per_mm;
-    };
-    settings.support_x_mm = whole_cells(settings.support_x_mm);
-    settings.support_y_mm = whole_cells(settings.support_y_mm);
+    settings.support_x_mm = on_whole_cells(settings.support_x_mm, settings.px_per_mm);
+    settings.support_y_mm = on_whole_cells(settings.support_y_mm, settings.px_per_mm);
     check_canvas(settings);
     return settings;
 }
