@@ -23,7 +23,6 @@ namespace {
 
 constexpr int kFields = 3;
 constexpr int kMiddle = 4;
-constexpr int kDecimals = 2;
 
 QString anchor_words(int field) {
     const QString words[] = {
@@ -102,14 +101,10 @@ CanvasSizeDialog::CanvasSizeDialog(const document::CanvasSettings& canvas, const
 }
 
 QDoubleSpinBox* CanvasSizeDialog::add_side(const QString& name, double value_mm) {
-    auto* box = new UnitBox(read_length_mm);
-    box->setObjectName(name);
+    auto* box = new UnitBox(read_length_mm, name, tr(" mm"));
     box->setRange(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm);
-    box->setDecimals(kDecimals);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setValue(value_mm);
-    box->setSuffix(tr(" mm"));
     connect(box, &QDoubleSpinBox::valueChanged, this, &CanvasSizeDialog::show_outcome);
     return box;
 }
@@ -142,16 +137,10 @@ QGridLayout* CanvasSizeDialog::make_anchors() {
     return fields;
 }
 
-/// A side that is left as it was is so to the cell, however it is rounded for reading.
-double CanvasSizeDialog::side_mm(const QDoubleSpinBox* box, double before_mm) const {
-    const double half_step_mm = 0.5 * std::pow(10.0, -kDecimals);
-    return std::abs(box->value() - before_mm) <= half_step_mm ? before_mm : box->value();
-}
-
 document::ResizeCanvas CanvasSizeDialog::wanted() const {
     const int field = anchors_->checkedId();
-    return tools::anchored(canvas_, side_mm(width_, canvas_.width_mm),
-                           side_mm(height_, canvas_.height_mm), {field % kFields, field / kFields});
+    return tools::anchored(canvas_, unrounded(*width_, canvas_.width_mm),
+                           unrounded(*height_, canvas_.height_mm), {field % kFields, field / kFields});
 }
 
 /// Why there can be no such canvas; empty where there can.

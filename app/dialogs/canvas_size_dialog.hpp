@@ -29,7 +29,6 @@ class CanvasSizeDialog : public GrowingDialog {
   private:
     QDoubleSpinBox* add_side(const QString& name, double value_mm);
     QGridLayout* make_anchors();
-    double side_mm(const QDoubleSpinBox* box, double before_mm) const;
     void show_outcome();
     QString problem() const;
     void show_possible(bool possible, const QString& words);

@@ -2,10 +2,13 @@
 
 #include "core/units.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace pastoso::dialogs {
 namespace {
+
+constexpr int kDecimals = 2;
 
 struct Unit {
     QLatin1String words;
@@ -48,7 +51,13 @@ std::optional<double> read_px_per_mm(const QString& words, const QLocale& locale
     return read(words, locale, kUnits);
 }
 
-UnitBox::UnitBox(Reader reader, QWidget* parent) : QDoubleSpinBox(parent), reader_(reader) {}
+UnitBox::UnitBox(Reader reader, const QString& name, const QString& suffix, QWidget* parent)
+    : QDoubleSpinBox(parent), reader_(reader) {
+    setObjectName(name);
+    setDecimals(kDecimals);
+    setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    setSuffix(suffix);
+}
 
 std::optional<double> UnitBox::read(const QString& text) const {
     const QString typed = text.endsWith(suffix()) ? text.chopped(suffix().size()) : text;
@@ -66,6 +75,11 @@ QValidator::State UnitBox::validate(QString& text, int& cursor) const {
 
 double UnitBox::valueFromText(const QString& text) const {
     return read(text).value_or(value());
+}
+
+double unrounded(const QDoubleSpinBox& box, double exact) {
+    const double half_step = 0.5 * std::pow(10.0, -box.decimals());
+    return std::abs(box.value() - exact) <= half_step ? exact : box.value();
 }
 
 }  // namespace pastoso::dialogs

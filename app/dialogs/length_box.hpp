@@ -15,7 +15,8 @@ class UnitBox : public QDoubleSpinBox {
     /// In `words` without spaces at its ends and in small letters; nothing where it is no such number.
     using Reader = std::optional<double> (*)(const QString& words, const QLocale& locale);
 
-    explicit UnitBox(Reader reader, QWidget* parent = nullptr);
+    /// Numbers have two decimals.
+    UnitBox(Reader reader, const QString& name, const QString& suffix, QWidget* parent = nullptr);
 
     QValidator::State validate(QString& text, int& cursor) const override;
     double valueFromText(const QString& text) const override;
@@ -25,6 +26,9 @@ class UnitBox : public QDoubleSpinBox {
 
     Reader reader_;
 };
+
+/// What the box says; or `exact`, where that is what it shows, rounded for reading.
+double unrounded(const QDoubleSpinBox& box, double exact);
 
 /// "500", "50 cm", "0.5 m", "20 in" or 20"; a number alone is of millimetres.
 std::optional<double> read_length_mm(const QString& words, const QLocale& locale);

@@ -10,13 +10,10 @@
 namespace pastoso::dialogs {
 
 LengthDialog::LengthDialog(const AskedLength& asked, QWidget* parent)
-    : GrowingDialog(parent), length_(new UnitBox(read_length_mm)) {
+    : GrowingDialog(parent),
+      length_(new UnitBox(read_length_mm, QStringLiteral("length_mm"), tr(" mm"))) {
     setWindowTitle(asked.title);
-    length_->setObjectName(QStringLiteral("length_mm"));
-    length_->setDecimals(2);
     length_->setRange(asked.least_mm, asked.most_mm);
-    length_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    length_->setSuffix(tr(" mm"));
     length_->setValue(asked.proposal_mm);
     connect(length_, &QDoubleSpinBox::valueChanged, this, &LengthDialog::changed);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);

@@ -22,7 +22,6 @@ class NewCanvasDialog : public GrowingDialog {
 
   private:
     QDoubleSpinBox* add_side(const QString& name, double value_mm);
-    QDoubleSpinBox* add_number(QDoubleSpinBox* box, const QString& name, const QString& suffix);
     void choose_image();
     QString pace_words(double px_per_mm) const;
     void write_summary();

@@ -20,8 +20,6 @@
 namespace pastoso::dialogs {
 namespace {
 
-constexpr int kDecimals = 2;
-
 /// What becomes of the paint.
 QString paint_words(const document::ScaleCanvas& scale) {
     const double area = scale.scale_x * scale.scale_y;
@@ -32,11 +30,9 @@ QString paint_words(const document::ScaleCanvas& scale) {
 
 }  // namespace
 
-/// A number that is left as it was set is so exactly, however it is rounded for reading.
 double ScaleDialog::Number::change() const {
-    const double half_step = 0.5 * std::pow(10.0, -kDecimals);
-    const bool is_left = std::abs(box->value() - set_change * before) <= half_step;
-    return is_left ? set_change : box->value() / before;
+    const double as_set = set_change * before, now = unrounded(*box, as_set);
+    return now == as_set ? set_change : now / before;
 }
 
 ScaleDialog::ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent)
@@ -47,12 +43,11 @@ ScaleDialog::ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Scale the image"));
     const QString lengths = tr("Other units may be typed as well: 50 cm, 20 in");
-    width_ =
-        add_number(new UnitBox(read_length_mm), QStringLiteral("width_mm"), canvas.width_mm, tr(" mm"));
-    height_ = add_number(new UnitBox(read_length_mm), QStringLiteral("height_mm"), canvas.height_mm,
-                         tr(" mm"));
-    density_ = add_number(new UnitBox(read_px_per_mm), QStringLiteral("px_per_mm"), canvas.px_per_mm,
-                          tr(" px/mm"));
+    width_ = number(new UnitBox(read_length_mm, QStringLiteral("width_mm"), tr(" mm")), canvas.width_mm);
+    height_ =
+        number(new UnitBox(read_length_mm, QStringLiteral("height_mm"), tr(" mm")), canvas.height_mm);
+    density_ =
+        number(new UnitBox(read_px_per_mm, QStringLiteral("px_per_mm"), tr(" px/mm")), canvas.px_per_mm);
     width_.box->setToolTip(lengths);
     height_.box->setToolTip(lengths);
     density_.box->setToolTip(tr("Dots per inch may be typed as well: 127 dpi"));
@@ -84,15 +79,9 @@ ScaleDialog::ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent
     show_outcome();
 }
 
-ScaleDialog::Number ScaleDialog::add_number(QDoubleSpinBox* box, const QString& name, double value,
-                                            const QString& suffix) {
-    box->setObjectName(name);
-    box->setRange(std::min(value, document::kLeastCanvasScale * value),
-                  document::kMostCanvasScale * value);
-    box->setDecimals(kDecimals);
+ScaleDialog::Number ScaleDialog::number(QDoubleSpinBox* box, double value) {
+    box->setRange(document::kLeastCanvasScale * value, document::kMostCanvasScale * value);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setSuffix(suffix);
     box->setValue(value);
     return {box, value};
 }

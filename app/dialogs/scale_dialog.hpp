@@ -26,7 +26,7 @@ class ScaleDialog : public GrowingDialog {
         double set_change = 1.0;
         double change() const;
     };
-    Number add_number(QDoubleSpinBox* box, const QString& name, double value, const QString& suffix);
+    static Number number(QDoubleSpinBox* box, double value);
     void keep_proportions(const Number& typed, Number& other);
     void show_outcome();
     void show_possible(bool possible, const QString& words);

@@ -1,5 +1,6 @@
 #include "dialogs/transform_dialog.hpp"
 
+#include "dialogs/length_box.hpp"
 #include "document/actions/actions.hpp"
 
 #include <algorithm>
@@ -28,12 +29,6 @@ void show_number(QDoubleSpinBox* box, double value) {
 void show_check(QToolButton* button, bool checked) {
     const QSignalBlocker quiet(button);
     button->setChecked(checked);
-}
-
-/// What the box says, or what it was said to show where that is no more than rounded for reading.
-double read_number(const QDoubleSpinBox* box, double shown) {
-    const double half_step = 0.5 * std::pow(10.0, -kDecimals);
-    return std::abs(box->value() - shown) <= half_step ? shown : box->value();
 }
 
 bool reaches_beyond(const tools::TransformFrame& frame, const QSizeF& canvas_mm) {
@@ -112,12 +107,12 @@ QToolButton* TransformDialog::make_mirror(const QString& name, const QString& wo
 
 void TransformDialog::read_numbers() {
     const auto scale = [](const QDoubleSpinBox* box, double shown, const QToolButton* mirror) {
-        const double size = read_number(box, kPercent * std::abs(shown)) / kPercent;
+        const double size = unrounded(*box, kPercent * std::abs(shown)) / kPercent;
         return mirror->isChecked() ? -size : size;
     };
-    frame_.move_mm = {read_number(move_x_, frame_.move_mm.x), read_number(move_y_, frame_.move_mm.y)};
+    frame_.move_mm = {unrounded(*move_x_, frame_.move_mm.x), unrounded(*move_y_, frame_.move_mm.y)};
     frame_.scale = {scale(width_, frame_.scale.x, mirror_x_), scale(height_, frame_.scale.y, mirror_y_)};
-    frame_.turn_deg = read_number(turn_, frame_.turn_deg);
+    frame_.turn_deg = unrounded(*turn_, frame_.turn_deg);
     show_outcome();
     Q_EMIT changed(frame_);
 }
