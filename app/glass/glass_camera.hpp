@@ -1,7 +1,7 @@
 // Where the glass is looked at from: on a sphere around its middle.
 #pragma once
 
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 #include "trace/scene.hpp"
 
 #include <optional>

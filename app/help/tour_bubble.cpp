@@ -1,5 +1,7 @@
 #include "help/tour_bubble.hpp"
 
+#include "appearance/focus_loop.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -159,6 +161,11 @@ void TourBubble::keyPressEvent(QKeyEvent* event) {
         default:
             QWidget::keyPressEvent(event);
     }
+}
+
+/// Between its buttons; a press beside it leaves them.
+bool TourBubble::focusNextPrevChild(bool next) {
+    return appearance::focus_within(*this, next);
 }
 
 }  // namespace pastoso::help

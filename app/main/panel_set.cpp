@@ -162,6 +162,16 @@ QDockWidget* add_well(Studio& studio) {
     return dock;
 }
 
+/// Where its usual size leaves no place for the desktop's frame, the window fills the screen.
+void size_window(QMainWindow& window) {
+    constexpr QSize kUsual(1280, 800);
+    constexpr int kFrame_px = 40;
+    const QSize screen = window.screen()->availableSize();
+    window.resize(kUsual.boundedTo(screen));
+    const bool fits = kUsual.width() <= screen.width() && kUsual.height() + kFrame_px <= screen.height();
+    if (!fits) window.setWindowState(window.windowState().setFlag(Qt::WindowMaximized));
+}
+
 }  // namespace
 
 PanelSet lay_out(Studio& studio) {
@@ -182,7 +192,7 @@ PanelSet lay_out(Studio& studio) {
     window.statusBar()->setSizeGripEnabled(false);
     window.statusBar()->addPermanentWidget(make_message_button(studio));
     window.statusBar()->addPermanentWidget(panels.readings);
-    window.resize(QSize(1280, 800).boundedTo(window.screen()->availableSize()));
+    size_window(window);
     studio.canvas().setFocus();
     return panels;
 }

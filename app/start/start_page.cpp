@@ -1,5 +1,6 @@
 #include "start/start_page.hpp"
 
+#include "appearance/focus_loop.hpp"
 #include "start/examples_section.hpp"
 #include "start/new_canvas_section.hpp"
 #include "start/recent_section.hpp"
@@ -186,6 +187,11 @@ void StartPage::keyPressEvent(QKeyEvent* event) {
         Q_EMIT dismissed();
     else
         QFrame::keyPressEvent(event);
+}
+
+/// What lies behind the page is out of reach until it is closed.
+bool StartPage::focusNextPrevChild(bool next) {
+    return appearance::focus_within(*this, next);
 }
 
 }  // namespace pastoso::start

@@ -57,6 +57,7 @@ class StartPage : public QFrame {
     void showEvent(QShowEvent* event) override;
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
 
   private:
     QWidget* make_content();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "files/json_place.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 namespace pastoso::liquid_files {
 

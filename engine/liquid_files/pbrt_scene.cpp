@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "liquid/tea/cup_mesh.hpp"
+#include "liquid/vessel/cup_mesh.hpp"
 #include "liquid_files/pbrt_text.hpp"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include "files/keep_going.hpp"
 #include "grid/box_field.hpp"
 #include "liquid/surface/triangle_mesh.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 #include "liquid_files/mesh_export.hpp"
 
 #include <array>

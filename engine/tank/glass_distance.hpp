@@ -2,7 +2,7 @@
 // the cup's axis.
 #pragma once
 
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <array>
 

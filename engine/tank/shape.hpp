@@ -3,7 +3,7 @@
 #pragma once
 
 #include "liquid/surface/triangle_mesh.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <limits>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grid/box_field.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 #include "trace/light_sums.hpp"
 
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "grid/block_field.hpp"
 #include "liquid/surface/triangle_mesh.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <optional>
 #include <vector>

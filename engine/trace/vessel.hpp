@@ -1,7 +1,7 @@
 // The surfaces of cup and tank by their equations.
 #pragma once
 
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 #include "trace/scene.hpp"
 #include "trace/surfaces.hpp"
 

@@ -192,6 +192,20 @@ TEST_F(StartWindow, KeysAreEnough) {
     EXPECT_EQ(size_on_easel(), "297 x 210, medium linen");
 }
 
+TEST_F(StartWindow, TheTabKeyStaysOnThePageBothWays) {
+    show_page();
+    const QWidget* first = QApplication::focusWidget();
+    for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab}) {
+        int steps = 0;
+        do {
+            press_key(key);
+            ASSERT_TRUE(page().isAncestorOf(QApplication::focusWidget()));
+            ASSERT_LT(++steps, 100);
+        } while (QApplication::focusWidget() != first);
+        EXPECT_GT(steps, 5);
+    }
+}
+
 TEST_F(StartWindow, OneClickPutsUpACanvasOfThatSizeAndSupport) {
     show_page();
     panels::Gallery& sizes = gallery("canvas_sizes");

@@ -82,6 +82,15 @@ TEST_F(TourWindow, IsLeftByEscapeAndByItsButton) {
     EXPECT_EQ(bubble(), nullptr) << "the canvas is gone";
 }
 
+TEST_F(TourWindow, TheTabKeyGoesBetweenItsButtons) {
+    begin();
+    const QWidget* next = QApplication::focusWidget();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    EXPECT_EQ(QApplication::focusWidget()->objectName(), QStringLiteral("tour_leave"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    EXPECT_EQ(QApplication::focusWidget(), next);
+}
+
 TEST_F(TourWindow, StandsBesideThePaintsAndPaintingGoesOn) {
     begin();
     const double before_mm3 = volume_mm3();

@@ -1,7 +1,7 @@
 // Cost of the stages of a step of the liquid, in the cup and in a box.
 #include "liquid/classic/periodic.hpp"
 #include "liquid/flow/flow.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <cmath>
 

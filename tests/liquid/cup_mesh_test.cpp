@@ -1,4 +1,4 @@
-#include "liquid/tea/cup_mesh.hpp"
+#include "liquid/vessel/cup_mesh.hpp"
 
 #include <cmath>
 #include <numbers>

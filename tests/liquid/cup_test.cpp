@@ -1,4 +1,4 @@
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "liquid/flow/walls.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 namespace pastoso::liquid::cases {
 

@@ -3,7 +3,7 @@
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
 #include "files/temporary_folder.hpp"
-#include "liquid/tea/cup_mesh.hpp"
+#include "liquid/vessel/cup_mesh.hpp"
 
 #include <algorithm>
 #include <sstream>

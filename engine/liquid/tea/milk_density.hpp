@@ -7,9 +7,9 @@
 #include "liquid/flow/row_ranges.hpp"
 #include "liquid/flow/walls.hpp"
 #include "liquid/tea/counting_order.hpp"
-#include "liquid/tea/cup.hpp"
 #include "liquid/tea/parcel_kernel.hpp"
 #include "liquid/tea/tea_settings.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <optional>
 #include <span>

@@ -1,7 +1,7 @@
 // Milk in the air, on its way from the lip of a jug down to the tea.
 #pragma once
 
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <cmath>
 #include <vector>

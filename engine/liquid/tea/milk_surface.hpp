@@ -5,7 +5,7 @@
 #include "liquid/surface/marching_cubes.hpp"
 #include "liquid/surface/metaballs.hpp"
 #include "liquid/surface/triangle_mesh.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <span>
 #include <vector>

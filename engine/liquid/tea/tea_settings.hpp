@@ -3,7 +3,7 @@
 #pragma once
 
 #include "liquid/flow/flow.hpp"
-#include "liquid/tea/cup.hpp"
+#include "liquid/vessel/cup.hpp"
 
 #include <cstdint>
 #include <span>
