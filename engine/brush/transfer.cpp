@@ -87,6 +87,10 @@ float hiding_quanta(const film::PaintCoefficients& given) {
                                       : static_cast<float>(film::kMaxThickness_quanta);
 }
 
+bool does_nothing(const WantedSums& wanted, const Limits& limits) {
+    return !wanted.changes && !(wanted.touches && limits.depth > 0.0F);
+}
+
 bool changes_anything(const CellBatch& batch, const CellBatch::TilePart& part, bool stirs) {
     for (int i = part.begin; i < part.end; ++i) {
         const bool acts =
@@ -197,6 +201,11 @@ Limits touch_limits(const Brush& brush, const Contact& contact) {
 
 ApplyRule apply_rule(const Limits& limits, WantedSums wanted, std::uint32_t dither_seed,
                      const film::FilmState& film, const Contents& held, CellBatch& batch) {
+    if (does_nothing(wanted, limits)) {
+        for (CellBatch::TilePart& part : batch.parts())
+            part.changes = false;
+        return {};
+    }
     if (batch.is_limited()) wanted = limit_plan(batch, wanted);
     const double cell_area_mm2 = film.cell_mm * film.cell_mm;
     const bool empty = held.volume_mm3 <= kEmpty_mm3;
@@ -248,6 +257,9 @@ void own_planned_tiles(const CellBatch& batch, film::FilmState& film) {
 
 grid::Rect apply(const ApplyRule& rule, const CellBatch& batch, film::FilmState& film, Contents& held,
                  MediaExchange* media) {
+    if (std::none_of(batch.parts().begin(), batch.parts().end(),
+                     [](const CellBatch::TilePart& part) { return part.changes; }))
+        return {};
     alignas(64) ChangeSums gained;  // across cache lines, clearing it takes a sixth of this function
     const auto& kernels = core::kernels<TransferKernels>();
     for (const CellBatch::TilePart& part : batch.parts()) {

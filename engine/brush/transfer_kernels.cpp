@@ -155,6 +155,8 @@ template <bool kLane, class Profile>
 PASTOSO_LANE_FUNCTION WantedSums plan_batch(const ExchangeRule& rule, const BatchColumns& batch) {
     const Profile profile(rule);
     Wide deposit(0), swap(0);
+    Ints moved(0);
+    Floats touched(0.0F);
     Ints::MaskOf buries = Ints(0) > Ints(0);
     for (int i = 0; i < batch.padded_count; i += kLanes) {
         const Wanted wanted = wanted_at<kLane>(rule, profile, batch, i);
@@ -165,8 +167,11 @@ PASTOSO_LANE_FUNCTION WantedSums plan_batch(const ExchangeRule& rule, const Batc
         lanes::store(batch.touched + i, wanted.touched);
         add_to(deposit, lanes::max(wanted.change, Ints(0)));
         add_to(swap, wanted.swap);
+        moved = moved | wanted.change | wanted.swap;
+        touched = lanes::max(touched, wanted.touched);
     }
-    return {total(deposit), total(swap), lanes::any(buries)};
+    return {total(deposit), total(swap), lanes::any(buries), lanes::any(moved != Ints(0)),
+            lanes::any(touched > Floats(0.0F))};
 }
 
 /// Numbers in [0, 1) that are spread evenly over neighbouring cells: roundings with them have no bias.

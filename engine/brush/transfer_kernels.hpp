@@ -52,6 +52,8 @@ struct WantedSums {
     std::int64_t deposit = 0;
     std::int64_t swap = 0;
     bool may_bury = true;  ///< paint may come onto enough of what a pass found for that to be buried
+    bool changes = true;   ///< of some cell, paint is to be moved; false: of none
+    bool touches = true;   ///< some cell is touched
 };
 
 /// Scales that keep a tool from giving more than it has, and the paint it gives.

@@ -404,6 +404,25 @@ TEST(Plan, SaysWhetherPaintThatWasFoundMayBeBuried) {
     EXPECT_FALSE(may_bury(film::kLeastStratum_quanta - 1, 0.5F)) << "too thin for a stratum";
 }
 
+TEST(Plan, SaysWhetherAnyCellChangesOrIsTouched) {
+    const auto planned = [](float lowest_mm, float underside_mm) {
+        RandomBatch batch(1);
+        batch.support_mm.assign(RandomBatch::kCount, 0.0F);
+        ExchangeRule rule = batch.rule(false, false);
+        rule.lowest_mm = lowest_mm;
+        rule.underside_mm = underside_mm;
+        return core::kernels<TransferKernels>().plan(rule, batch.columns());
+    };
+    constexpr auto kHigh_mm = 1.1F * static_cast<float>(film::kMaxThickness_mm);
+    const WantedSums clear = planned(kHigh_mm, kHigh_mm);
+    EXPECT_FALSE(clear.changes);
+    EXPECT_FALSE(clear.touches) << "it hangs above all paint";
+    const WantedSums laid = planned(-1.0F, kHigh_mm);
+    EXPECT_TRUE(laid.changes);
+    EXPECT_TRUE(laid.touches);
+    EXPECT_TRUE(planned(-1.0F, -1.0F).changes) << "it takes paint";
+}
+
 class EveryInstructionSet : public testing::TestWithParam<core::Isa> {};
 
 TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
@@ -420,6 +439,8 @@ TEST_P(EveryInstructionSet, GivesTheSameBitsAsTheBaseline) {
         EXPECT_EQ(sums.deposit, expected_sums.deposit) << "seed " << seed;
         EXPECT_EQ(sums.swap, expected_sums.swap) << "seed " << seed;
         EXPECT_EQ(sums.may_bury, expected_sums.may_bury) << "seed " << seed;
+        EXPECT_EQ(sums.changes, expected_sums.changes) << "seed " << seed;
+        EXPECT_EQ(sums.touches, expected_sums.touches) << "seed " << seed;
         EXPECT_EQ(actual.change, expected.change) << "seed " << seed;
         EXPECT_EQ(actual.swap, expected.swap) << "seed " << seed;
         EXPECT_EQ(actual.touched, expected.touched) << "seed " << seed;
