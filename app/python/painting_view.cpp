@@ -61,6 +61,7 @@ py::list layers_of(PaintingWork& work) {
         entry["name"] = layer.look.name;
         entry["visible"] = layer.look.visible;
         entry["locked"] = layer.look.locked;
+        entry["bare_locked"] = layer.look.bare_locked;
         entry["opacity"] = layer.look.opacity;
         entry["group"] = layer.group;
         entry["active"] = i == snapshot.layers->active;

@@ -141,6 +141,7 @@ void add_to_hash(const film::FilmState& film, const Layer& layer, core::Hash64& 
     hash.add_value(layer.group);
     hash.add_value(layer.look.visible);
     hash.add_value(layer.look.locked);
+    hash.add_value(layer.look.bare_locked);
     hash.add_value(layer.look.opacity);
 }
 
@@ -506,6 +507,7 @@ std::uint64_t state_hash(const film::FilmState& film, const LayerStack& stack) {
         hash.add_value(group.id);
         hash.add_value(group.look.visible);
         hash.add_value(group.look.locked);
+        hash.add_value(group.look.bare_locked);
         hash.add_value(group.look.opacity);
     }
     return hash.value();

@@ -106,6 +106,9 @@ class LayeredCanvas {
     /// is selected of it. Throws InputError where there is none such.
     film::FilmState copy(const CopyPaint& copy, const grid::Mask* selection);
 
+    /// The bare support with all that is visible below the active layer.
+    const film::SupportHeights& base_mm() const { return base_mm_; }
+
     /// Sums over all layers.
     LayerPaint paint() const;
 

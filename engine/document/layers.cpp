@@ -74,6 +74,7 @@ LayerLook effective_look(const LayerStack& stack, std::size_t place) {
         if (group.id != layer.group) continue;
         look.visible = look.visible && group.look.visible;
         look.locked = look.locked || group.look.locked;
+        look.bare_locked = look.bare_locked || group.look.bare_locked;
         look.opacity *= group.look.opacity;
     }
     return look;
@@ -82,7 +83,7 @@ LayerLook effective_look(const LayerStack& stack, std::size_t place) {
 bool is_single(const LayerStack& stack) {
     const LayerLook& look = stack.layers.front().look;
     return stack.layers.size() == 1 && stack.groups.empty() && look.visible && !look.locked &&
-           look.opacity == 1.0;
+           !look.bare_locked && look.opacity == 1.0;
 }
 
 void check_look(const LayerLook& look) {

@@ -47,7 +47,8 @@ std::size_t place_of(const LayerStack& stack, LayerId layer);
 LayerGroup& group_of(LayerStack& stack, GroupId group);
 const LayerGroup& group_of(const LayerStack& stack, GroupId group);
 
-/// A layer with what its group says: visible when both are, locked when one is, opacities multiplied.
+/// A layer with what its group says: visible when both are, locked when one is, what is
+/// bare as well, opacities multiplied.
 LayerLook effective_look(const LayerStack& stack, std::size_t place);
 
 /// Whether nothing else is said of it than what single_layer() says.

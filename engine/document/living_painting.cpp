@@ -47,6 +47,7 @@ LivingPainting::LivingPainting(const PaintingState& state, core::ThreadPool& thr
     PASTOSO_CHECK(value.film.shape == canvas_shape(value.bare->settings));
     ageing.restore(state.ageing);
     canvas.solver.set_gravity(film::tilted_gravity(value.tilt.tilt_deg, value.tilt.direction_deg));
+    canvas.solver.set_cover(value.masking.cells);
     canvas.solver.restore(state.solver);
     if (!value.well) return;
     PASTOSO_CHECK(value.well->shape == bare_well().shape);
@@ -73,7 +74,8 @@ void LivingPainting::begin_stroke_on(Surface surface) {
     if (surface == Surface::Canvas) {
         share_consistencies();
         touched = &canvas.solver;
-        stroke.emplace(value.brush->brush, value.film, value.aids, value.symmetry, value.selection.get(),
+        stroke_limit = within_reach();
+        stroke.emplace(value.brush->brush, value.film, value.aids, value.symmetry, stroke_limit.get(),
                        &pool);
     } else {
         touched = &used_well();
@@ -89,6 +91,25 @@ void LivingPainting::end_stroke() {
     finish_contacts();
     stroke.reset();
     begun.reset();
+}
+
+void LivingPainting::mask(Masking masking) {
+    value.masking = std::move(masking);
+    canvas.solver.set_cover(value.masking.cells);
+}
+
+const Selection& LivingPainting::unmasked() {
+    if (unmasked_.selection != value.selection || unmasked_.masking != value.masking)
+        unmasked_ = {value.selection, value.masking, without_masked(value.selection, value.masking)};
+    return unmasked_.cells;
+}
+
+Selection LivingPainting::within_reach() {
+    const Selection& free = unmasked();
+    if (!effective_look(value.layers, value.layers.active).bare_locked) return free;
+    grid::Mask painted = area_of(SelectPaint{}, value.film, canvas.base_mm());
+    return std::make_shared<const grid::Mask>(
+        free ? grid::combined(painted, *free, Combination::Intersect) : std::move(painted));
 }
 
 void LivingPainting::finish_contacts() {
@@ -169,7 +190,7 @@ void LivingPainting::finish_tick(film::AdvanceReport flow) {
 }
 
 void LivingPainting::age() {
-    ageing.tick(kTick_s, value.air, value.film, pool);
+    ageing.tick(kTick_s, value.air, value.film, pool, value.masking.cells.get());
     if (!stroke) return;
     stroke->pass_time(kTick_s);
     finish_contacts();

@@ -43,6 +43,13 @@ struct LivingPainting {
     /// Guides and symmetries lie on the canvas; in the well the hand is free.
     void begin_stroke_on(Surface surface);
     void end_stroke();
+    /// Tools, flow and drying keep out of what is masked from now on.
+    void mask(Masking masking);
+    /// What is selected and not masked, on any layer; null: all.
+    const Selection& unmasked();
+    /// The cells of the active layer that tools may change: where what is bare is locked, only those
+    /// with paint. Null: all.
+    Selection within_reach();
     /// Tells the solver and the account what the stroke did.
     void finish_contacts();
     /// The brush is another one, or holds something else, than at the moments before.
@@ -79,6 +86,7 @@ struct LivingPainting {
     LayeredCanvas canvas;
     std::optional<film::Solver> well_solver;  ///< there is one as long as there is a well
     film::AgeingClock ageing;
+    Selection stroke_limit;  ///< of the stroke in progress; null: all cells
     std::optional<brush::StrokeGroup> stroke;
     film::Solver* touched = nullptr;   ///< of the surface that the stroke is on
     std::optional<StrokeBegun> begun;  ///< as long as there is a stroke
@@ -96,6 +104,13 @@ struct LivingPainting {
     /// What lies on one surface, the brush may carry to the other.
     void share_consistencies();
     void age();
+
+    /// What unmasked() gave last, and of what.
+    struct Unmasked {
+        Selection selection{};
+        Masking masking{};
+        Selection cells{};
+    } unmasked_;
 };
 
 }  // namespace pastoso::document

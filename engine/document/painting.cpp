@@ -102,6 +102,7 @@ Snapshot Painting::snapshot() const {
             .layers = living_->shared_layers(),
             .active = single ? nullptr : std::make_shared<const film::FilmState>(value.film),
             .selection = value.selection,
+            .masking = value.masking,
             .bare = value.bare,
             .tracing = value.tracing,
             .copied = value.copied};

@@ -7,6 +7,7 @@
 #include "document/canvas.hpp"
 #include "document/events.hpp"
 #include "document/layers.hpp"
+#include "document/masking.hpp"
 #include "document/selection.hpp"
 #include "document/undo_step.hpp"
 #include "film/solver.hpp"
@@ -38,6 +39,7 @@ struct Snapshot {
     std::shared_ptr<const LayerStack> layers{};  ///< the same one until something about them changes
     std::shared_ptr<const film::FilmState> active{};  ///< the active layer's; null where `film` is it
     Selection selection{};
+    Masking masking{};
     std::shared_ptr<const BareCanvas> bare{};
     std::shared_ptr<const layers::Tracing> tracing{};  ///< not in `film`; null: none
     std::shared_ptr<const film::FilmState> copied{};   ///< what PastePaint lays down; null: nothing

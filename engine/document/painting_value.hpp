@@ -10,6 +10,7 @@
 #include "document/actions/media_actions.hpp"
 #include "document/canvas.hpp"
 #include "document/layers.hpp"
+#include "document/masking.hpp"
 #include "document/selection.hpp"
 #include "film/state.hpp"
 #include "layers/tracing.hpp"
@@ -58,6 +59,7 @@ struct PaintingValue {
     brush::HandAids aids{};
     brush::Symmetry symmetry{};
     Selection selection{};
+    Masking masking{};
     SharedTracing tracing{};  ///< null: none
     CopiedPaint copied{};     ///< null: nothing; it is in no account
     PaintFlows flows{};
@@ -69,9 +71,9 @@ struct PaintingValue {
 template <class Value>
 auto fields_of(Value& value) {
     auto& [bare, film, layers, well, brush, brush_aside, medium, tilt, air, aids, symmetry, selection,
-           tracing, copied, flows] = value;
+           masking, tracing, copied, flows] = value;
     return std::tie(bare, film, layers, well, brush, brush_aside, medium, tilt, air, aids, symmetry,
-                    selection, tracing, copied, flows);
+                    selection, masking, tracing, copied, flows);
 }
 
 /// Calls visit(field of the first value, field of the second, ...) for every field.

@@ -53,6 +53,7 @@ void LivingPainting::return_to(const Moment& then) {
     canvas.restore(then.value);
     return_well_to(then, same_medium, *this);
     value.selection = then.value.selection;
+    mask(then.value.masking);
     value.tracing = then.value.tracing;
     value.flows = {.taken = then.value.flows.taken,
                    .wiped = then.value.flows.wiped,

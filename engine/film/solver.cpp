@@ -174,6 +174,7 @@ struct Solver::Parts {
     core::ThreadPool& pool;
     Gravity gravity = tilted_gravity(0.0);
     std::vector<AirJet> air;
+    std::shared_ptr<const grid::Mask> cover;
     StepLimits limits;
     StepConstants constants;
     double density_kg_m3 = 1000.0;
@@ -201,6 +202,7 @@ TilePlace Solver::Parts::place_of(int tile) const {
             .canvas_edges = {canvas_ends(tile, kLeft), canvas_ends(tile, kRight),
                              canvas_ends(tile, kTop), canvas_ends(tile, kBottom)},
             .air = air,
+            .cover = cover.get(),
             .density_kg_m3 = density_kg_m3,
             .pigment_in_reach = pigment_in_reach(tile),
             .motion_reference = reference.read()};
@@ -403,6 +405,11 @@ void Solver::set_air(const std::vector<AirJet>& jets) {
     parts_->configure();
     for (const AirJet& jet : jets)
         wake(cells_reached(jet, parts_->state.shape, parts_->state.cell_mm));
+}
+
+void Solver::set_cover(std::shared_ptr<const grid::Mask> cover) {
+    PASTOSO_CHECK(!cover || cover->shape() == parts_->state.shape);
+    parts_->cover = std::move(cover);
 }
 
 void Solver::wake(const grid::Rect& cells) {

@@ -5,6 +5,7 @@
 #include "film/air_jet.hpp"
 #include "film/medium.hpp"
 #include "film/state.hpp"
+#include "grid/mask.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -93,6 +94,10 @@ class Solver {
     /// Lets these jets blow on the paint until they are set anew; wakes what they reach. None: still
     /// air.
     void set_air(const std::vector<AirJet>& jets);
+
+    /// Lets no paint flow into the cells of the mask nor out of them; null: none. What may flow again is
+    /// for the caller to wake. Ends with reshape().
+    void set_cover(std::shared_ptr<const grid::Mask> cover);
 
     /// Announces changed cells: their tiles are stepped until they have come to rest again.
     void wake(const grid::Rect& cells);

@@ -215,14 +215,13 @@ void read_brush(const ZipReader& archive, const std::optional<BrushIndex>& told,
     brush.consistencies = index.consistencies.value_or(told_by_paint(brush.contents(), medium));
 }
 
-void read_selection(const ZipReader& archive, const PackedEntry& packed,
-                    document::PaintingValue& painting) {
-    const grid::Shape shape = painting.film.shape;
+std::shared_ptr<const grid::Mask> read_mask(const ZipReader& archive, const PackedEntry& packed,
+                                            const grid::Shape& shape) {
     if (packed.size != mask_bytes(shape))
-        archive.fail(packed.entry, "holds a selection of another canvas than this one.");
+        archive.fail(packed.entry, "holds cells of another canvas than this one.");
     grid::Mask mask = mask_of_bits(shape, read_packed(archive, packed));
-    if (grid::chosen_area(mask).empty()) archive.fail(packed.entry, "selects nothing.");
-    painting.selection = std::make_shared<const grid::Mask>(std::move(mask));
+    if (grid::chosen_area(mask).empty()) archive.fail(packed.entry, "holds no cell.");
+    return std::make_shared<const grid::Mask>(std::move(mask));
 }
 
 void read_tracing(const ZipReader& archive, const document::SetTracing& set,
@@ -284,7 +283,8 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
         check_surface(archive, core::message("copied paint"), *index.copied, index.copied->shape, value.film.cell_mm);
         value.copied = read_apart(archive, *index.copied, medium, pool);
     }
-    if (index.selection) read_selection(archive, *index.selection, value);
+    if (index.selection) value.selection = read_mask(archive, *index.selection, value.film.shape);
+    if (index.masking) value.masking.cells = read_mask(archive, *index.masking, value.film.shape);
     if (index.tracing) read_tracing(archive, *index.tracing, value);
     read_strokes(archive, index.strokes, setup.canvas, painting.tick, project);
     return project;

@@ -230,8 +230,8 @@ Json layer_json(const LayerIndex& layer) {
 }
 
 LayerIndex read_layer(const JsonPlace& place) {
-    place.allow_only({"id", "group", "name", "visible", "locked", "opacity", "picture", "surface",
-                      "bare_support_checksum"});
+    place.allow_only({"id", "group", "name", "visible", "locked", "bare_locked", "opacity", "picture",
+                      "surface", "bare_support_checksum"});
     LayerIndex layer{{.id = 1, .look = recordings::read_look(place)},
                      place.entry("picture").text(),
                      read_surface(place.entry("surface")),
@@ -244,7 +244,7 @@ LayerIndex read_layer(const JsonPlace& place) {
 }
 
 document::LayerGroup read_group(const JsonPlace& place) {
-    place.allow_only({"id", "name", "visible", "locked", "opacity"});
+    place.allow_only({"id", "name", "visible", "locked", "bare_locked", "opacity"});
     return {read_number(place.entry("id")), recordings::read_look(place)};
 }
 
@@ -381,7 +381,7 @@ void check_header(const JsonPlace& root) {
     }
     root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
                      "bare_support", "support_form", "well", "copied", "brush", "brush_aside",
-                     "selection", "tracing", "strokes"});
+                     "selection", "masking", "tracing", "strokes"});
 }
 
 }  // namespace
@@ -419,6 +419,7 @@ std::string index_to_json(const ProjectIndex& index) {
     if (index.brush) json["brush"] = brush_json(*index.brush);
     if (index.brush_aside) json["brush_aside"] = brush_json(*index.brush_aside);
     if (index.selection) json["selection"] = packed_json(*index.selection);
+    if (index.masking) json["masking"] = packed_json(*index.masking);
     if (index.tracing) json["tracing"] = recordings::set_tracing_json(*index.tracing);
     json["strokes"] = packed_json(index.strokes);
     // Names of files need not be UTF-8.
@@ -446,7 +447,9 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
     if (const auto brush = root.optional_entry("brush")) index.brush = read_brush(*brush);
     if (const auto brush = root.optional_entry("brush_aside")) index.brush_aside = read_brush(*brush);
     if (const auto selection = root.optional_entry("selection"))
-        index.selection = read_packed_alone(*selection, kMostSelectionBytes);
+        index.selection = read_packed_alone(*selection, kMostMaskBytes);
+    if (const auto masking = root.optional_entry("masking"))
+        index.masking = read_packed_alone(*masking, kMostMaskBytes);
     if (const auto tracing = root.optional_entry("tracing")) {
         index.tracing = recordings::read_set_tracing(*tracing);
         tracing->guard([&] { document::check_action(*index.tracing); });

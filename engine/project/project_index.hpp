@@ -14,7 +14,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 11;
+inline constexpr int kProjectFormatVersion = 12;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {
@@ -77,6 +77,7 @@ struct ProjectIndex {
     std::optional<BrushIndex> brush{};
     std::optional<BrushIndex> brush_aside{};  ///< none in formats before 10
     std::optional<PackedEntry> selection{};
+    std::optional<PackedEntry> masking{};           ///< none in formats before 12
     std::optional<document::SetTracing> tracing{};  ///< where its picture lies in an entry of its own
     PackedEntry strokes{};
 };

@@ -13,6 +13,7 @@ inline constexpr const char* kStrokesEntry = "pastoso/strokes.json.zst";
 inline constexpr const char* kBrushEntry = "pastoso/brush.zst";
 inline constexpr const char* kBrushAsideEntry = "pastoso/brush-aside.zst";
 inline constexpr const char* kSelectionEntry = "pastoso/selection.zst";
+inline constexpr const char* kMaskingEntry = "pastoso/masking.zst";
 inline constexpr const char* kTracingEntry = "pastoso/tracing.png";
 inline constexpr const char* kBareSupportFolder = "pastoso/bare/";
 inline constexpr const char* kWellFolder = "pastoso/well/";
@@ -24,7 +25,7 @@ inline constexpr std::size_t kEntryBytes = std::size_t{4} << 20;
 /// No reader takes more.
 inline constexpr std::size_t kMostIndexBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMostSetupBytes = std::size_t{4} << 20;
-inline constexpr std::size_t kMostSelectionBytes = std::size_t{512} << 20;
+inline constexpr std::size_t kMostMaskBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMostTracingBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMostStrokesBytes = std::size_t{512} << 20;
 

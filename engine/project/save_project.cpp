@@ -125,6 +125,10 @@ struct FieldKeeper {
         if (selection)
             draft.index.selection = add_packed(kSelectionEntry, mask_bits(*selection), draft.archive);
     }
+    void operator()(const document::Masking& masking) const {
+        if (masking.cells)
+            draft.index.masking = add_packed(kMaskingEntry, mask_bits(*masking.cells), draft.archive);
+    }
     void operator()(const document::SharedTracing& tracing) const {
         if (!tracing) return;
         draft.index.tracing = {tracing->place, tracing->opacity};

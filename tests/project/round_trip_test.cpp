@@ -100,6 +100,9 @@ struct FieldComparer {
             EXPECT_EQ(mask_bits(*a), mask_bits(*b));
         }
     }
+    void operator()(const document::Masking& a, const document::Masking& b) const {
+        (*this)(a.cells, b.cells);
+    }
     void operator()(const document::SharedTracing& a, const document::SharedTracing& b) const {
         ASSERT_EQ(a != nullptr, b != nullptr);
         if (a) {
@@ -191,6 +194,26 @@ TEST_F(ProjectRoundTrip, ASelectionComesBackToTheCell) {
         for (const document::Action& action :
              document::line_on(document::Surface::Canvas, 2.0, 4, 40, 15))
             one->apply(action);
+    EXPECT_EQ(again.state_hash(), painting->state_hash());
+}
+
+TEST_F(ProjectRoundTrip, MaskingComesBackToTheCell) {
+    auto painting = played(busy_session(), 85, pool);
+    painting->apply(document::MaskStripe{{{3, 2}, {31, 12.7}}, 4.0});
+    painting->apply(document::SetLayer{1, {.name = "Below", .bare_locked = true}});
+    const Project project{painting->state(), {}};
+    const LoadedProject loaded = saved_and_loaded(project);
+    ASSERT_TRUE(loaded.painting.value.masking.cells);
+    EXPECT_TRUE(loaded.painting.value.layers.layers[0].look.bare_locked);
+    expect_equal(loaded.painting, project.painting);
+    document::Painting again(loaded.painting, pool);
+    for (document::Painting* one : {painting.get(), &again}) {
+        for (const document::Action& action :
+             document::line_on(document::Surface::Canvas, 2.0, 4, 40, 15))
+            one->apply(action);
+        for (int tick = 0; tick < 10; ++tick)
+            one->advance_tick();
+    }
     EXPECT_EQ(again.state_hash(), painting->state_hash());
 }
 

@@ -124,6 +124,12 @@ Recording everything() {
         {47, FillWithPaint{{{{"PB29", 1.0}}}}},
         {47, ToneGround{{{{"PBr7-RU", 2.0}, {"PW6", 1.0}}}, 0.05, "Ground"}},
         {48, SelectAll{}},
+        {49, MaskStripe{{{1, 2}, {30.5, -2}, {20, 40}}, 7.5}},
+        {49, MaskStripe{{{1, 2}, {3, 2}}, 12, true, true}},
+        {49, MaskSelection{}},
+        {50, SelectMasked{Combination::Intersect}},
+        {50, SetLayer{3, {.name = "Glaze", .bare_locked = true}}},
+        {50, PeelMasking{}},
     };
     recording.end_tick = 100;
     return recording;
@@ -227,7 +233,7 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
         error(R"({"format":"pastoso-strokes","version":14,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 14; this program reads up to 13).");
+        "s.json: this was written by a newer Pastoso (stroke format 15; this program reads up to 14).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
@@ -447,6 +453,12 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 12,")) << arithmetic;
         recording.events = {{0, ScaleCanvas{2.0, 2.0, 1.0}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 13,")) << arithmetic;
+        recording.events = {{0, SetLayer{1, {.name = "Paint", .locked = true}}}};
+        EXPECT_THAT(recording_to_json(recording), Not(HasSubstr("\"version\": 14,"))) << arithmetic;
+        recording.events = {{0, SetLayer{1, {.name = "Paint", .bare_locked = true}}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
+        recording.events = {{0, PeelMasking{}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
     }
 }
 

@@ -11,6 +11,7 @@
 #include "document/actions/history_actions.hpp"
 #include "document/actions/layer_actions.hpp"
 #include "document/actions/margin_actions.hpp"
+#include "document/actions/masking_actions.hpp"
 #include "document/actions/media_actions.hpp"
 #include "document/actions/pen_actions.hpp"
 #include "document/actions/picture_actions.hpp"
@@ -37,7 +38,7 @@ struct JoinedActions<ActionList<First...>, ActionList<Second...>, Rest...>
 using AllActions =
     JoinedActions<BrushActions, MediaActions, CanvasActions, PenActions, WellActions, HistoryActions,
                   AidActions, LayerActions, GroupActions, SelectionActions, MarginActions,
-                  PictureActions, CopyActions, FillActions>;
+                  MaskingActions, PictureActions, CopyActions, FillActions>;
 
 using Action = AllActions::Variant;
 

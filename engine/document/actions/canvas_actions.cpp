@@ -48,6 +48,7 @@ void apply(const ResizeCanvas& resize, LivingPainting& painting) {
         ready = resized_canvas(resize, value.bare, painting.pool);
     painting.book(painting.canvas.resize(extent, std::move(ready->after)));
     value.selection = on_extent(value.selection, extent);
+    painting.mask({on_extent(value.masking.cells, extent)});
     const double cell_mm = value.film.cell_mm;
     if (value.tracing) value.tracing = moved(*value.tracing, -extent.x0 * cell_mm, -extent.y0 * cell_mm);
 }
@@ -70,6 +71,7 @@ void apply(const TurnCanvas& turn, LivingPainting& painting) {
                            value.film.shape.height * value.film.cell_mm));
     value.selection = turned(value.selection, turn.turn, painting.pool);
     painting.canvas.turn(turn.turn, std::move(bare));
+    painting.mask({turned(value.masking.cells, turn.turn, painting.pool)});
 }
 
 bool changes_anything(const ScaleCanvas& scale, const LivingPainting&) {
@@ -86,6 +88,7 @@ void apply(const ScaleCanvas& scale, LivingPainting& painting) {
     painting.canvas.scale(resampling, std::move(bare));
     painting.book(lay, painting.contents_of(painting.canvas.paint()));
     value.selection = resampled(value.selection, resampling);
+    painting.mask({resampled(value.masking.cells, resampling)});
     if (value.tracing) value.tracing = scaled(*value.tracing, scale);
 }
 

@@ -51,9 +51,10 @@ UndoStep undo_step(const FillWithPaint&, const LivingPainting& painting) {
 
 void apply(const FillWithPaint& fill, LivingPainting& painting) {
     const film::FilmState& film = painting.value.film;
+    const Selection reached = painting.within_reach();
     const film::FilmState poured =
         layers::poured_film(poured_paint(fill, painting.medium, film.cell_mm), film.shape, film.cell_mm,
-                            painting.value.selection.get(), painting.pool);
+                            reached.get(), painting.pool);
     painting.value.flows.taken += painting.contents_of(painting.canvas.pour(poured));
 }
 

@@ -41,7 +41,7 @@ void apply(const RemoveLayer& remove, LivingPainting& painting) {
 }
 
 void apply(const ClearLayer& clear, LivingPainting& painting) {
-    const LayerPaint wiped = painting.canvas.clear(clear, painting.value.selection.get());
+    const LayerPaint wiped = painting.canvas.clear(clear, painting.unmasked().get());
     painting.value.flows.wiped += painting.contents_of(wiped);
 }
 

@@ -25,6 +25,8 @@ struct Table<LayerLook> {
                                          Required});
         visit(Truth<At<&LayerLook::visible>>{"visible", "visible", Optional});
         visit(Truth<At<&LayerLook::locked>>{"locked", "locked", Optional, "nothing is painted on it"});
+        visit(Truth<At<&LayerLook::bare_locked>>{"bare_locked", "bare locked", Optional,
+                                                 "tools change only what of it has paint", 14});
         visit(Number<At<&LayerLook::opacity>>{"opacity", core::Pattern<0>("opacity of the layer"), "",
                                               0.0, 1.0, Optional});
     }

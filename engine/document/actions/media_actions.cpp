@@ -56,7 +56,7 @@ void apply(const UseMedium& use, LivingPainting& painting) {
 }
 
 void apply(const DryNow&, LivingPainting& painting) {
-    film::dry_now(painting.value.film, painting.pool, painting.value.selection.get());
+    film::dry_now(painting.value.film, painting.pool, painting.unmasked().get());
 }
 
 }  // namespace pastoso::document

@@ -18,8 +18,9 @@ class AgeingClock {
         friend bool operator==(const Pending&, const Pending&) = default;
     };
 
-    /// Lets a tick of paint time pass.
-    void tick(double tick_s, const DryingAir& air, FilmState& state, core::ThreadPool& pool);
+    /// Lets a tick of paint time pass, but for the cells of `cover`; null: none.
+    void tick(double tick_s, const DryingAir& air, FilmState& state, core::ThreadPool& pool,
+              const grid::Mask* cover = nullptr);
 
     const Pending& pending() const { return pending_; }
     void restore(const Pending& pending) { pending_ = pending; }

@@ -53,7 +53,7 @@ void dissolve_cell(double seconds, int cell, TileDissolving& tile) {
     }
 }
 
-TileDissolving dissolve_tile(const FilmState& state, int tile, double seconds) {
+TileDissolving dissolve_tile(const FilmState& state, int tile, double seconds, const grid::Mask* cover) {
     const Strata& strata = state.strata;
     TileDissolving result{TileBlock<std::int32_t>::copy_of(state.thickness.read(tile)),
                           TileBlock<PaintCell>::copy_of(state.paint.read(tile)),
@@ -61,7 +61,8 @@ TileDissolving dissolve_tile(const FilmState& state, int tile, double seconds) {
                           TileBlock<std::int32_t>::copy_of(strata.soluble_thickness.read(tile)),
                           TileBlock<PigmentCell>::copy_of(strata.soluble_pigment.read(tile))};
     for (int cell = 0; cell < kTileCells; ++cell) {
-        if (result.thickness.read()[cell] > 0) dissolve_cell(seconds, cell, result);
+        const bool covered = cover != nullptr && cover->read(tile)[cell] != 0;
+        if (result.thickness.read()[cell] > 0 && !covered) dissolve_cell(seconds, cell, result);
         result.any_left = result.any_left || !is_empty(result.soluble_pigment.read()[cell],
                                                        result.soluble_thickness.read()[cell]);
     }
@@ -80,7 +81,7 @@ void commit(int tile, TileDissolving& result, FilmState& state) {
 
 }  // namespace
 
-void dissolve(FilmState& state, double seconds, core::ThreadPool& pool) {
+void dissolve(FilmState& state, double seconds, core::ThreadPool& pool, const grid::Mask* cover) {
     std::vector<int> tiles;
     for (int tile = 0; tile < state.shape.tile_count(); ++tile) {
         if (!state.thickness.is_background(tile) && !state.strata.soluble_pigment.is_background(tile))
@@ -88,7 +89,7 @@ void dissolve(FilmState& state, double seconds, core::ThreadPool& pool) {
     }
     std::vector<TileDissolving> results(tiles.size());
     pool.run(tiles.size(), [&](std::size_t index, int) {
-        results[index] = dissolve_tile(state, tiles[index], seconds);
+        results[index] = dissolve_tile(state, tiles[index], seconds, cover);
     });
     for (std::size_t index = 0; index < tiles.size(); ++index)
         commit(tiles[index], results[index], state);

@@ -154,9 +154,11 @@ double DryingAir::rate_at(double x_mm, double y_mm) const {
     return 1.0 + (fan - 1.0) * inside * inside;
 }
 
-void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPool& pool) {
+void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPool& pool,
+         const grid::Mask* cover) {
     const double quanta = seconds * kQuantaPerSecond;
     const auto time_at = [&](int x, int y) {
+        if (cover != nullptr && cover->at(x, y) != 0) return kNoTime;
         const double rate = air.rate_at((x + 0.5) * state.cell_mm, (y + 0.5) * state.cell_mm);
         return static_cast<std::int32_t>(std::min(quanta * rate, double{kForEver}));
     };

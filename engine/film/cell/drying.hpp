@@ -19,8 +19,10 @@
 
 namespace pastoso::film {
 
-/// Lets paint dry that lies in still air of speed 1 for `seconds`, or faster under the fan.
-void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPool& pool);
+/// Lets paint dry that lies in still air of speed 1 for `seconds`, or faster under the fan; but for that
+/// of the cells of `cover`.
+void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPool& pool,
+         const grid::Mask* cover = nullptr);
 
 /// Makes all wet paint dry at once, its solvent gone; or that of the cells of a mask alone.
 void dry_now(FilmState& state, core::ThreadPool& pool, const grid::Mask* only = nullptr);

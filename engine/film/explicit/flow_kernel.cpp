@@ -145,7 +145,7 @@ static_assert(kTileSize % kLanes == 0);
 /// Shuts closed edges and everything beyond the canvas.
 void shut_closed_faces(int columns, int rows, const ClosedFaces& closed, TileScratch& scratch) {
     for_each_shut_face(
-        columns, rows, closed,
+        columns, rows, closed, scratch.block,
         [&](int f) {
             scratch.velocity_x[f] = 0.0F;
             scratch.flux_x[f] = 0;

@@ -186,6 +186,21 @@ void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows,
     }
 }
 
+void gather_covered(const grid::Mask* cover, const HaloMap& columns, const HaloMap& rows, int tile_x,
+                    HaloBlock& block) {
+    block.any_covered = false;
+    if (cover == nullptr) return;
+    for (int y = -1; y <= rows.extent; ++y) {
+        std::uint8_t* out = &block.covered[block_index(-kHalo, y)];
+        const HaloSource& row = rows.cells[y + kHalo];
+        std::fill_n(out, kBlockStride, std::uint8_t{0});
+        if (row.outside) continue;
+        gather_cells(*cover, columns, row, tile_x, out);
+        block.any_covered = block.any_covered || std::any_of(out, out + kBlockStride,
+                                                             [](std::uint8_t is) { return is != 0; });
+    }
+}
+
 void gather_quanta(const grid::TiledField<std::int32_t>& thickness, const HaloMap& columns,
                    const HaloMap& rows, int tile_x, BlockArray<std::int32_t>& quanta) {
     for (int y = -kHalo; y < kTileSize + kHalo; ++y) {

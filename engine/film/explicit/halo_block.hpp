@@ -5,6 +5,7 @@
 #include "film/cell/film_numbers.hpp"
 #include "film/solver.hpp"
 #include "film/state.hpp"
+#include "grid/mask.hpp"
 
 #include <array>
 #include <vector>
@@ -56,10 +57,16 @@ struct HaloBlock {
     bool pressed = false;                         ///< whether there is any; else `air` means nothing
     CellNumbers<BlockArray<float>> numbers;       ///< where there are several media (numbers_block.hpp)
     int first_wet_row = 0, last_wet_row = -1;     ///< rows of the block with more than `wet_mm`
+    BlockArray<std::uint8_t> covered;             ///< not 0: no paint flows into the cell or out of it
+    bool any_covered = false;                     ///< whether there is any; else `covered` means nothing
 };
 
 void gather(const FilmState& state, const HaloMap& columns, const HaloMap& rows, int tile_x,
             float wet_mm, HaloBlock& block);
+
+/// Which cells of the mask are covered; null: none.
+void gather_covered(const grid::Mask* cover, const HaloMap& columns, const HaloMap& rows, int tile_x,
+                    HaloBlock& block);
 
 /// A thickness in quanta alone.
 void gather_quanta(const grid::TiledField<std::int32_t>& thickness, const HaloMap& columns,

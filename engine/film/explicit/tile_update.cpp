@@ -238,6 +238,7 @@ TileResult collect_tile(const FilmState& state, const TilePlace& place, const St
 void gather_tile(const FilmState& state, const TilePlace& place, const StepConstants& step,
                  WorkerScratch& worker) {
     gather(state, place.columns, place.rows, place.tile_x, step.wet_mm, worker.tile.block);
+    gather_covered(place.cover, place.columns, place.rows, place.tile_x, worker.tile.block);
     if (step.media) gather_numbers(state, place.columns, place.rows, place.tile_x, worker.tile.block);
     if (step.varied) gather_rheology(state, place, step, worker);
     press(place.air, place.density_kg_m3, place.columns, place.rows, step.cell_mm, worker.tile.block);

@@ -33,6 +33,7 @@ struct TilePlace {
     OpenEdges runoff_edges;
     CanvasEdges canvas_edges;
     std::span<const AirJet> air;  ///< what blows on the canvas
+    const grid::Mask* cover = nullptr;  ///< whose cells no paint enters or leaves; null: none
     double density_kg_m3 = 1000.0;
     bool pigment_in_reach = true;          ///< false: nothing here or beside it is coloured
     const std::int32_t* motion_reference;  ///< thickness that the tile's motion is counted from

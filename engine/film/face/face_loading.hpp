@@ -158,12 +158,25 @@ void for_each_inner_face(int columns, int rows, const ShutX& shut_x, const ShutY
         }
 }
 
-/// Calls shut_x(face) and shut_y(face) for the faces of a tile through which nothing may flow: those
-/// that are closed and all beyond the canvas.
+/// Calls shut_x(face) and shut_y(face) for all faces of covered cells.
 template <class ShutX, class ShutY>
-void for_each_shut_face(int columns, int rows, const ClosedFaces& closed, const ShutX& shut_x,
-                        const ShutY& shut_y) {
+void for_each_covered_face(int columns, int rows, const HaloBlock& block, const ShutX& shut_x,
+                           const ShutY& shut_y) {
+    const auto covered = [&](int x, int y) { return block.covered[block_index(x, y)] != 0; };
+    for (int y = -1; y < rows; ++y)
+        for (int x = -1; x < columns; ++x) {
+            if (y >= 0 && (covered(x, y) || covered(x + 1, y))) shut_x(face_index(x, y));
+            if (x >= 0 && (covered(x, y) || covered(x, y + 1))) shut_y(face_index(x, y));
+        }
+}
+
+/// Calls shut_x(face) and shut_y(face) for the faces of a tile through which nothing may flow: those
+/// that are closed, those of covered cells and all beyond the canvas.
+template <class ShutX, class ShutY>
+void for_each_shut_face(int columns, int rows, const ClosedFaces& closed, const HaloBlock& block,
+                        const ShutX& shut_x, const ShutY& shut_y) {
     using grid::kTileSize;
+    if (block.any_covered) for_each_covered_face(columns, rows, block, shut_x, shut_y);
     if (closed.inside) for_each_inner_face(columns, rows, shut_x, shut_y);
     for (int y = 0; y < kTileSize; ++y) {
         if (closed.left) shut_x(face_index(-1, y));

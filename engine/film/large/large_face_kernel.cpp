@@ -362,9 +362,10 @@ float assemble_faces(const StepConstants& step, const float* lag, bool again, Ti
 }
 
 /// Nothing flows through a face at a closed edge or beyond the canvas.
-void shut_closed_faces(int columns, int rows, const ClosedFaces& closed, LargeTile& tile) {
+void shut_closed_faces(int columns, int rows, const ClosedFaces& closed, const HaloBlock& block,
+                       LargeTile& tile) {
     for_each_shut_face(
-        columns, rows, closed, [&](int f) { shut(tile.x, f); }, [&](int f) { shut(tile.y, f); });
+        columns, rows, closed, block, [&](int f) { shut(tile.x, f); }, [&](int f) { shut(tile.y, f); });
 }
 
 /// A wall mirrors the surface and beyond an open edge nothing answers: no response across the canvas'
@@ -480,7 +481,7 @@ float assemble_large_tile(const StepConstants& step, int columns, int rows, cons
     const float error = with_face_model(step, [&]<FaceModel kModel>() {
         return assemble_faces<kModel>(step, lag.data(), again, scratch, tile);
     });
-    shut_closed_faces(columns, rows, closed, tile);
+    shut_closed_faces(columns, rows, closed, scratch.block, tile);
     cut_response(columns, rows, edges, tile);
     compute_source(step, tile);
     if (!again) start_pressure(rest, columns, rows, edges, large, tile);
