@@ -30,6 +30,7 @@ class AreaDrag {
 
     /// So far, a closed line.
     std::vector<glm::vec2> outline_mm() const;
+    const std::vector<glm::dvec2>& points_mm() const { return points_mm_; }
     grid::Combination how() const { return how_; }
 
     /// Ends the outline. Nothing when it is so narrow on the screen that it was a click.

@@ -1,9 +1,8 @@
 #include "interactions/gradient_line.hpp"
 
-#include "core/units.hpp"
 #include "interactions/event_place.hpp"
+#include "interactions/stepped_way.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include <QKeyEvent>
@@ -19,13 +18,6 @@ constexpr double kClick_px = 3.0;
 
 /// Half as long is the stroke across each end.
 constexpr double kEnd_px = 16.0;
-
-/// As long, in the nearest of eight directions.
-glm::dvec2 stepped(const glm::dvec2& way) {
-    constexpr double kStep = 0.25 * core::kPi;
-    const double angle = kStep * std::round(std::atan2(way.y, way.x) / kStep);
-    return glm::length(way) * glm::dvec2(std::cos(angle), std::sin(angle));
-}
 
 }  // namespace
 

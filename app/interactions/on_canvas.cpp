@@ -11,13 +11,15 @@ OnCanvas::OnCanvas(view::CanvasView* canvas, tools::Easel& easel, document::Surf
       areas(*canvas),
       wand(*canvas),
       gradient(*canvas),
+      masking(*canvas, easel),
       buttons(*canvas),
       pick_by_keys(surface),
       guides(*canvas, easel),
       paint(*canvas, easel, surface),
       finger_move(*canvas, navigate) {
-    for (view::Interaction* one : std::initializer_list<view::Interaction*>{
-             &navigate, &lamp, &pick_next, &frame, &areas, &wand, &gradient, &buttons, &pick_by_keys})
+    for (view::Interaction* one :
+         std::initializer_list<view::Interaction*>{&navigate, &lamp, &pick_next, &frame, &areas, &wand,
+                                                   &gradient, &masking, &buttons, &pick_by_keys})
         canvas->add(*one);
     if (surface == document::Surface::Canvas) canvas->add(guides);
     canvas->add(paint);

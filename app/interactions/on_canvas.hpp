@@ -8,6 +8,7 @@
 #include "interactions/gradient_line.hpp"
 #include "interactions/guides.hpp"
 #include "interactions/lamp.hpp"
+#include "interactions/masking_nib.hpp"
 #include "interactions/navigate.hpp"
 #include "interactions/paint.hpp"
 #include "interactions/pick.hpp"
@@ -15,8 +16,8 @@
 namespace pastoso::interactions {
 
 /// Goes with its view, and before the easel. A press is offered to them in the order in which they stand
-/// here; on the well there is no lamp, no frame, no area, no wand, no gradient and
-/// no guide.
+/// here; on the well there is no lamp, no frame, no area, no wand, no gradient, no
+/// masking and no guide.
 class OnCanvas : public QObject {
     Q_OBJECT
   public:
@@ -29,6 +30,7 @@ class OnCanvas : public QObject {
     Areas areas;
     ColourWand wand;
     GradientLine gradient;
+    MaskingNib masking;
     Buttons buttons;
     PickByKeys pick_by_keys;
     Guides guides;

@@ -28,7 +28,10 @@ bool is_uppermost(const document::LayerStack& stack) {
 
 /// Elsewhere a mark would be where the paint is not.
 bool paints_what_is_seen(const document::Snapshot& shown) {
-    return shown.selection == nullptr && (shown.layers == nullptr || is_uppermost(*shown.layers));
+    if (shown.selection != nullptr || shown.masking.cells != nullptr) return false;
+    if (shown.layers == nullptr) return true;
+    return is_uppermost(*shown.layers) &&
+           !effective_look(*shown.layers, shown.layers->active).bare_locked;
 }
 
 /// A straight line is painted when the pen lifts.

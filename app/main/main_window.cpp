@@ -25,6 +25,15 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.fills, &FillCommands::gradients_begin, &parts.selection,
             &SelectionCommands::go_back_to_painting);
     connect(&parts.fills, &FillCommands::gradients_begin, &parts.transform, &LayerTransform::end);
+    connect(&parts.masking, &MaskingCommands::masking_begins, &parts.selection,
+            &SelectionCommands::go_back_to_painting);
+    connect(&parts.masking, &MaskingCommands::masking_begins, &parts.fills,
+            &FillCommands::end_gradients);
+    connect(&parts.masking, &MaskingCommands::masking_begins, &parts.transform, &LayerTransform::end);
+    connect(&parts.selection, &SelectionCommands::selecting_begins, &parts.masking,
+            &MaskingCommands::go_back_to_painting);
+    connect(&parts.fills, &FillCommands::gradients_begin, &parts.masking,
+            &MaskingCommands::go_back_to_painting);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.files, &ProjectFiles::show_title);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.view, &ViewCommands::name_canvas);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);

@@ -11,6 +11,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       selection(studio, panels.brushes, panels.readings),
       ranges(studio),
       margins(studio),
+      masking(studio, panels.brushes),
       fills(studio, panels.brushes),
       tracing(studio, loading, panels.tracing),
       well(studio, panels.well),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "main/canvas/canvas_sizing.hpp"
+#include "main/canvas/masking_commands.hpp"
 #include "main/canvas/message_place.hpp"
 #include "main/canvas/navigation.hpp"
 #include "main/canvas/range_selection.hpp"
@@ -67,6 +68,7 @@ struct WindowParts {
     SelectionCommands selection;
     RangeSelection ranges;
     SelectionMargins margins;
+    MaskingCommands masking;
     FillCommands fills;
     TracingCommands tracing;
     WellCommands well;

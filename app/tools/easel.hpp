@@ -103,7 +103,7 @@ class Easel {
     void lay_ellipse(const brush::EllipseCurve& ellipse);
     void take_ellipse_away();
 
-    /// One of document::SelectionActions or document::MarginActions.
+    /// One of document::SelectionActions, document::MarginActions or document::MaskingActions.
     void select(const document::Action& selection);
 
     /// What lay on the canvas came to lie elsewhere on it: guides, symmetry and fan follow.

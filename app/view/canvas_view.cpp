@@ -101,7 +101,10 @@ void CanvasView::draw_over(const document::Snapshot& shown, screen::OverlayPaint
     const glm::dmat2 px_from_mm = view_.zoom / shown.film.cell_mm * view_.axes();
     const Overlay overlay{
         painter, {view_.device_from_cell({0.0, 0.0}), px_from_mm, screen::window_px(*this)}, px_mm()};
-    if (surface_ == document::Surface::Canvas) draw_selection(shown, overlay);
+    if (surface_ == document::Surface::Canvas) {
+        draw_masking(shown, overlay);
+        draw_selection(shown, overlay);
+    }
     interactions_.draw(overlay);
 }
 

@@ -9,6 +9,7 @@
 #include "input/wheel_steps.hpp"
 #include "screen/canvas_screen.hpp"
 #include "view/interaction_stack.hpp"
+#include "view/masking_skin.hpp"
 #include "view/pen_watch.hpp"
 #include "view/selection_outline.hpp"
 
@@ -167,6 +168,7 @@ class CanvasView : public QWidget, private screen::ScreenHost {
     void suit_screen();
     void place_legend();
     screen::Tracing seen_tracing() const;
+    void draw_masking(const document::Snapshot& shown, const Overlay& overlay);
     void draw_selection(const document::Snapshot& shown, const Overlay& overlay);
     void begin_other_canvas();
     glm::dvec2 canvas_cells() const;
@@ -216,6 +218,7 @@ class CanvasView : public QWidget, private screen::ScreenHost {
     QTimer holding_;  ///< while one finger waits
     std::optional<QPointF> pointer_;
 
+    MaskingSkin masking_skin_;
     SelectionOutline selection_outline_;
     bool outline_shown_ = true;
     std::optional<document::Selection> preview_;

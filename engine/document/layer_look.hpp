@@ -22,8 +22,8 @@ struct LayerLook {
     std::string name{};  ///< at most kMostLayerName bytes
     bool visible = true;
     bool locked = false;   ///< nothing is painted on it, cleared or merged
-    bool bare_locked = false;  ///< tools change only what of it has paint when they begin
     double opacity = 1.0;  ///< of what its paint does to light, 0 to 1; its relief stays
+    bool bare_locked = false;  ///< tools change only what of it has paint when they begin
     friend bool operator==(const LayerLook&, const LayerLook&) = default;
 };
 

@@ -249,6 +249,15 @@ TEST_F(WetMarkTest, NothingIsMarkedThatIsNotPaintedThere) {
     draw();
     EXPECT_TRUE(is_bare()) << "a selection that may leave it out";
     shown_.selection = nullptr;
+    shown_.masking.cells = std::make_shared<const grid::Mask>(grid::Shape{400, 240});
+    draw();
+    EXPECT_TRUE(is_bare()) << "masking that may keep it off";
+    shown_.masking = {};
+    document::LayerStack locked = document::single_layer();
+    locked.layers[0].look.bare_locked = true;
+    shown_.layers = std::make_shared<const document::LayerStack>(locked);
+    draw();
+    EXPECT_TRUE(is_bare()) << "what is bare stays so";
 
     document::LayerStack stack = document::single_layer();
     stack.layers.push_back({.id = 1});

@@ -60,6 +60,8 @@ LayerCommands::LayerCommands(Studio& studio, panels::LayerPanel* layers, QDockWi
                           [=](bool shown) { change_look(&document::LayerLook::visible, shown); });
     studio_.commands().on(Command::LockLayer,
                           [=](bool locked) { change_look(&document::LayerLook::locked, locked); });
+    studio_.commands().on(Command::LockBare,
+                          [=](bool locked) { change_look(&document::LayerLook::bare_locked, locked); });
 }
 
 void LayerCommands::add_layer() {
@@ -136,6 +138,7 @@ void LayerCommands::show_commands() {
     enable(Command::LowerLayer, tools::step_from(stack, chosen, false).has_value());
     studio_.commands().action(Command::ShowLayer)->setChecked(look.visible);
     studio_.commands().action(Command::LockLayer)->setChecked(look.locked);
+    studio_.commands().action(Command::LockBare)->setChecked(look.bare_locked);
 }
 
 }  // namespace pastoso::main

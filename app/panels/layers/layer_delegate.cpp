@@ -76,6 +76,12 @@ QString hint(const Item& item, int column) {
         case LayerModel::kEye:
             return item.look.visible ? QObject::tr("Seen; click to hide it. Its relief goes with it")
                                      : QObject::tr("Hidden, and not painted on; click to show it");
+        case LayerModel::kBare:
+            return item.look.bare_locked
+                       ? QObject::tr(
+                             "What is bare is locked: tools change only what has paint. Click to "
+                             "unlock")
+                       : QObject::tr("Click to lock what is bare: tools change only what has paint");
         case LayerModel::kLock:
             return item.look.locked
                        ? QObject::tr(
@@ -99,7 +105,11 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
         painter->fillRect(option.rect, appearance::colours().chosen);
     if (index.column() == LayerModel::kEye) paint_eye(painter, option.rect, item);
     if (index.column() == LayerModel::kName) paint_name(painter, option, index, item);
-    if (index.column() == LayerModel::kLock) paint_lock(painter, option, item);
+    if (index.column() == LayerModel::kBare)
+        paint_lock(painter, option,
+                   {"lock_bare", "open_bare", item.look.bare_locked, item.group_bare_locked});
+    if (index.column() == LayerModel::kLock)
+        paint_lock(painter, option, {"lock_layer", "open_lock", item.look.locked, item.group_locked});
     painter->restore();
 }
 
@@ -116,12 +126,11 @@ void LayerDelegate::paint_eye(QPainter* painter, const QRect& place, const Item&
 }
 
 void LayerDelegate::paint_lock(QPainter* painter, const QStyleOptionViewItem& option,
-                               const Item& item) const {
-    const bool locked = item.look.locked || item.group_locked;
+                               const Lock& lock) const {
+    const bool locked = lock.own || lock.of_group;
     const bool chosen = option.state & QStyle::State_Selected;
-    appearance::draw_icon(*painter, option.rect,
-                          locked ? QStringLiteral("lock_layer") : QStringLiteral("open_lock"),
-                          item.look.locked   ? appearance::colours().text
+    appearance::draw_icon(*painter, option.rect, QLatin1String(locked ? lock.closed : lock.open),
+                          lock.own           ? appearance::colours().text
                           : locked || chosen ? appearance::colours().faint_text
                                              : appearance::colours().very_faint);
 }

@@ -32,8 +32,12 @@ class LayerDelegate : public QStyledItemDelegate {
     void paint_eye(QPainter* painter, const QRect& place, const LayerModel::Item& item) const;
     void paint_name(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index,
                     const LayerModel::Item& item) const;
-    void paint_lock(QPainter* painter, const QStyleOptionViewItem& option,
-                    const LayerModel::Item& item) const;
+
+    struct Lock {
+        const char *closed, *open;  ///< names of its icons
+        bool own, of_group;         ///< whether the row is locked itself, or its group is
+    };
+    void paint_lock(QPainter* painter, const QStyleOptionViewItem& option, const Lock& lock) const;
 
     const LayerModel* model_;
 };

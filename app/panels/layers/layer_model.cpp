@@ -80,6 +80,7 @@ LayerModel::Item LayerModel::item(const QModelIndex& index) const {
     const document::LayerLook group = tools::look_of(stack_, row_at(index.parent()));
     item.group_shown = group.visible;
     item.group_locked = group.locked;
+    item.group_bare_locked = group.bare_locked;
     return item;
 }
 
@@ -114,6 +115,7 @@ QString LayerModel::words(const Item& item) const {
     if (item.active) words += tr("the layer that you paint on");
     if (!item.look.visible) words += tr("hidden");
     if (item.look.locked) words += tr("locked");
+    if (item.look.bare_locked) words += tr("what is bare is locked");
     words += tr("opacity %1 %").arg(qRound(100.0 * item.look.opacity));
     return words.join(QStringLiteral(", "));
 }

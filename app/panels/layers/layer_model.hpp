@@ -14,7 +14,7 @@ namespace pastoso::panels {
 class LayerModel : public QAbstractItemModel {
     Q_OBJECT
   public:
-    enum Column { kEye, kName, kLock, kColumns };
+    enum Column { kEye, kName, kBare, kLock, kColumns };
 
     /// What is shown of a row.
     struct Item {
@@ -23,7 +23,7 @@ class LayerModel : public QAbstractItemModel {
         bool active = false;
         bool inactive_wet = false;  ///< its wet paint waits until it is active
         bool group_shown = true;    ///< what its group says
-        bool group_locked = false;
+        bool group_locked = false, group_bare_locked = false;
         int layers = 0;  ///< of a group
     };
 

@@ -83,6 +83,11 @@ void LayerPanel::connect_tree() {
         look.visible = !look.visible;
         set_look(row, look);
     });
+    connect(tree_, &LayerTree::bare_clicked, this, [this](const LayerRow& row) {
+        document::LayerLook look = tools::look_of(stack_, row);
+        look.bare_locked = !look.bare_locked;
+        set_look(row, look);
+    });
     connect(tree_, &LayerTree::lock_clicked, this, [this](const LayerRow& row) {
         document::LayerLook look = tools::look_of(stack_, row);
         look.locked = !look.locked;

@@ -43,6 +43,7 @@ LayerTree::LayerTree(QWidget* parent) : QTreeView(parent) {
     header()->setSectionResizeMode(QHeaderView::Fixed);
     header()->setSectionResizeMode(LayerModel::kName, QHeaderView::Stretch);
     header()->resizeSection(LayerModel::kEye, kLayerIconColumn);
+    header()->resizeSection(LayerModel::kBare, kLayerIconColumn);
     header()->resizeSection(LayerModel::kLock, kLayerIconColumn);
     keep_keys_for_canvas(this);
     keep_own_keys(this, {Qt::Key_F2, Qt::Key_Space});
@@ -115,11 +116,12 @@ void LayerTree::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint 
 
 // ---- mouse
 
-/// A click on eye or lock does not choose the row.
+/// A click on the eye or a lock does not choose the row.
 bool LayerTree::click_icon(const QMouseEvent& event) {
     const QModelIndex index = indexAt(event.position().toPoint());
     if (event.button() != Qt::LeftButton || !index.isValid()) return false;
     if (index.column() == LayerModel::kEye) Q_EMIT eye_clicked(model_.row_at(index));
+    if (index.column() == LayerModel::kBare) Q_EMIT bare_clicked(model_.row_at(index));
     if (index.column() == LayerModel::kLock) Q_EMIT lock_clicked(model_.row_at(index));
     return icon_pressed_ = index.column() != LayerModel::kName;
 }

@@ -28,6 +28,7 @@ class LayerTree : public QTreeView {
   Q_SIGNALS:
     void chosen(const tools::LayerRow& row);
     void eye_clicked(const tools::LayerRow& row);
+    void bare_clicked(const tools::LayerRow& row);
     void lock_clicked(const tools::LayerRow& row);
 
   protected:
