@@ -86,6 +86,7 @@ struct Inventory {
         if (!fill.line.empty()) paints.insert(paint_text(fill.second));
     }
     void operator()(const document::ToneGround& tone) { paints.insert(paint_text(tone.paint)); }
+    void operator()(const document::LayTexture& lay) { paints.insert(paint_text(lay.paint)); }
     void operator()(const document::PenDown& pen) {
         ++strokes;
         well_strokes += pen.surface == document::Surface::Well ? 1 : 0;

@@ -194,6 +194,9 @@ constexpr CommandText kCommands[] = {
     CommandText{Command::ToneGround, kPaint, QT_TR_NOOP("Toned g&round..."), "",
                 QT_TR_NOOP("Cover the whole canvas with a dry coat of the paint in hand, below all "
                            "layers")},
+    CommandText{Command::LayTexture, kPaint, QT_TR_NOOP("Te&xture paste..."), "",
+                QT_TR_NOOP("Lay a dry relief of the paint in hand: sand, modelling paste, or a "
+                           "picture pressed in")},
     CommandText{Command::AddLayer, kLayer, QT_TR_NOOP("&New layer"), "Ins",
                 QT_TR_NOOP("A bare layer above the one that you paint on")},
     CommandText{Command::LayerFromPicture, kLayer, QT_TR_NOOP("From a &picture..."), "Ctrl+Shift+O",

@@ -77,6 +77,7 @@ enum class Command {
     FillGradient,
     FillThickness,
     ToneGround,
+    LayTexture,
     AddLayer,
     LayerFromPicture,
     DuplicateLayer,

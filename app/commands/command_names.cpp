@@ -86,6 +86,7 @@ constexpr Name kNames[] = {
     {Command::FillGradient, "fill_gradient"},
     {Command::FillThickness, "fill_thickness"},
     {Command::ToneGround, "tone_ground"},
+    {Command::LayTexture, "lay_texture"},
     {Command::AddLayer, "add_layer"},
     {Command::LayerFromPicture, "layer_from_picture"},
     {Command::DuplicateLayer, "duplicate_layer"},

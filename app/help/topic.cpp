@@ -35,6 +35,7 @@ constexpr Topic kTopics[] = {
     {"pastoso::dialogs::SelectRangeDialog", "layers#selections"},
     {"pastoso::dialogs::MarginDialog", "layers#selections"},
     {"pastoso::dialogs::ThicknessDialog", "paint#filling"},
+    {"pastoso::dialogs::TextureDialog", "paint#texture-paste"},
     {"pastoso::panels::HistoryPanel", "history-and-files#undo"},
     {"pastoso::panels::RecorderPanel", "history-and-files#the-recorder"},
     {"pastoso::panels::MessagePanel", "history-and-files#when-something-fails"},

@@ -13,6 +13,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       margins(studio),
       masking(studio, panels.brushes),
       fills(studio, panels.brushes),
+      textures(studio, loading),
       tracing(studio, loading, panels.tracing),
       well(studio, panels.well),
       hand(studio, panels),

@@ -34,6 +34,7 @@
 #include "main/paint/paint_settings.hpp"
 #include "main/paint/paint_time.hpp"
 #include "main/paint/swatches.hpp"
+#include "main/paint/texture_commands.hpp"
 #include "main/paint/tube_commands.hpp"
 #include "main/paint/well_commands.hpp"
 #include "main/panel_set.hpp"
@@ -70,6 +71,7 @@ struct WindowParts {
     SelectionMargins margins;
     MaskingCommands masking;
     FillCommands fills;
+    TextureCommands textures;
     TracingCommands tracing;
     WellCommands well;
     HandControls hand;

@@ -307,6 +307,11 @@ void Easel::tone_ground(const ToneGround& tone) {
     post_(tone);
 }
 
+void Easel::lay_texture(const LayTexture& lay) {
+    end_stroke();
+    post_(lay);
+}
+
 void Easel::fill(const FillWithPaint& fill) {
     end_stroke();
     post_(fill);

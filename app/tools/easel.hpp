@@ -115,6 +115,7 @@ class Easel {
     void transform(const document::TransformLayer& transform);
     void fill(const document::FillWithPaint& fill);
     void tone_ground(const document::ToneGround& tone);
+    void lay_texture(const document::LayTexture& lay);
     void undo();
     void redo();
 

@@ -40,6 +40,10 @@ void note_paints(const Action& action, std::vector<std::string>& names) {
     } else if (const auto* fill = std::get_if<FillWithPaint>(&action)) {
         note_names(fill->paint, names);
         note_names(fill->second, names);
+    } else if (const auto* tone = std::get_if<ToneGround>(&action)) {
+        note_names(tone->paint, names);
+    } else if (const auto* texture = std::get_if<LayTexture>(&action)) {
+        note_names(texture->paint, names);
     }
 }
 

@@ -63,8 +63,10 @@ bool is_almost_full(const std::filesystem::path& folder) {
 }
 
 bool is_picture(const document::Event& event) {
+    const auto* texture = std::get_if<document::LayTexture>(&event.action);
     return std::holds_alternative<document::PaintPicture>(event.action) ||
-           std::holds_alternative<document::LayTracing>(event.action);
+           std::holds_alternative<document::LayTracing>(event.action) ||
+           (texture != nullptr && std::holds_alternative<layers::PressedTexture>(texture->texture));
 }
 
 /// Where the frame ends that begins with this event. A picture has a frame of its own.

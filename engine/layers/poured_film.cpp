@@ -43,8 +43,7 @@ class Pouring {
           where_(where),
           quanta_(
               static_cast<std::int32_t>(std::lround(poured.thickness_mm / film::kThicknessQuantum_mm))),
-          thickness_mm_(quanta_ * film::kThicknessQuantum_mm),
-          even_(carried(poured, 0.0, thickness_mm_)) {}
+          even_(carried(poured, 0.0, quanta_ * film::kThicknessQuantum_mm)) {}
 
     PouredTile tile(const grid::Rect& cells, int tile) const {
         PouredTile poured;
@@ -52,23 +51,26 @@ class Pouring {
             for (int x = cells.x0; x < cells.x1; ++x) {
                 const int cell = grid::Shape::cell_in_tile(x, y);
                 if (where_ != nullptr && where_->read(tile)[cell] == 0) continue;
-                poured.thickness.write()[cell] = quanta_;
-                poured.paint.write()[cell] = at(x, y);
+                const std::int32_t quanta =
+                    poured_.relief == nullptr ? quanta_ : poured_.relief->read(tile)[cell];
+                if (quanta == 0) continue;
+                poured.thickness.write()[cell] = quanta;
+                poured.paint.write()[cell] = at(x, y, quanta);
             }
         }
         return poured;
     }
 
   private:
-    PaintCell at(int x, int y) const {
-        if (!poured_.gradient) return even_;
-        return carried(poured_, second_share(*poured_.gradient, x, y), thickness_mm_);
+    PaintCell at(int x, int y, std::int32_t quanta) const {
+        if (!poured_.gradient && quanta == quanta_) return even_;
+        const double share = poured_.gradient ? second_share(*poured_.gradient, x, y) : 0.0;
+        return carried(poured_, share, quanta * film::kThicknessQuantum_mm);
     }
 
     const PouredPaint& poured_;
     const grid::Mask* where_;
     std::int32_t quanta_;
-    double thickness_mm_;
     PaintCell even_;
 };
 

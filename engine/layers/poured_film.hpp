@@ -1,11 +1,13 @@
-// Wet paint poured out evenly, as a layer apart from what it lies on.
+// Wet paint poured out, evenly or as a relief, as a layer apart from what it lies on.
 #pragma once
 
 #include "core/thread_pool.hpp"
 #include "film/medium.hpp"
 #include "film/state.hpp"
 #include "grid/mask.hpp"
+#include "grid/tiled_field.hpp"
 
+#include <cstdint>
 #include <optional>
 
 namespace pastoso::layers {
@@ -22,9 +24,11 @@ struct PouredPaint {
     film::PaintCoefficients paint{};
     double thickness_mm = 0.2;  ///< up to film::kMaxThickness_mm
     std::optional<Gradient> gradient{};
+    /// Quanta of each cell, in place of the one thickness; null: that one. Outlives the pouring.
+    const grid::TiledField<std::int32_t>* relief = nullptr;
 };
 
-/// The same thickness in every cell of the mask, in whole quanta; null: of the whole canvas. What a cell
+/// The thickness in every cell of the mask, in whole quanta; null: of the whole canvas. What a cell
 /// carries are the quanta nearest to what so much of its paint does.
 film::FilmState poured_film(const PouredPaint& poured, grid::Shape shape, double cell_mm,
                             const grid::Mask* where, core::ThreadPool& pool);

@@ -13,18 +13,22 @@
 namespace pastoso::project {
 namespace {
 
-template <class Kind>
-bool holds(const document::Recording& strokes) {
-    return std::any_of(strokes.events.begin(), strokes.events.end(), [](const document::Event& event) {
-        return std::holds_alternative<Kind>(event.action);
-    });
+bool puts_a_picture_on(const document::Action& action) {
+    const auto* texture = std::get_if<document::LayTexture>(&action);
+    return std::holds_alternative<document::PaintPicture>(action) ||
+           (texture != nullptr && std::holds_alternative<layers::PressedTexture>(texture->texture));
+}
+
+bool holds_pictures(const document::Recording& strokes) {
+    return std::any_of(strokes.events.begin(), strokes.events.end(),
+                       [](const document::Event& event) { return puts_a_picture_on(event.action); });
 }
 
 std::vector<core::Message> notes_of(const document::Recording& strokes) {
     std::vector<core::Message> notes;
     const core::Message older = document::arithmetic_note(strokes.arithmetic);
     if (!older.empty()) notes.push_back(core::message("its strokes %1", older));
-    if (holds<document::PaintPicture>(strokes))
+    if (holds_pictures(strokes))
         notes.push_back(core::message("a picture on it has no strokes, and comes no finer than it is."));
     if (strokes.canvas.support == "image")
         notes.push_back(core::message("its support is a picture, and comes no finer than that."));

@@ -22,7 +22,7 @@ class HastyPainter {
     explicit HastyPainter(std::uint32_t seed) : seed_(seed) {}
 
     /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well,
-    /// layers, selections, fills, tracing pictures.
+    /// layers, selections, fills, textures, tracing pictures.
     std::vector<Action> next() {
         if (!began_) {
             began_ = true;
@@ -51,7 +51,7 @@ class HastyPainter {
         if (what == 18) return {SetTracing{{0, 0, 30, 20}, uniform()}};
         if (what == 19) return {own_medium(), dip()};
         if (what == 20) return {margin()};
-        if (what == 21 && choice(2) == 0) return {fill()};
+        if (what == 21) return {choice(2) == 0 ? fill() : texture()};
         if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }
@@ -79,6 +79,15 @@ class HastyPainter {
                              .thickness_mm = 0.05 + 0.5 * uniform(),
                              .second = {{{"PB29", 1.0}}},
                              .line = {{0, 5}, {20.0 + 40.0 * uniform(), 30}}};
+    }
+
+    Action texture() {
+        const PaintRecipe white{{{"PW6", 1.0}}};
+        const int which = choice(3);
+        if (which == 0) return LayTexture{white, layers::SandTexture{0.2 + uniform(), 5}};
+        if (which == 1) return LayTexture{white, layers::KnifedTexture{.height_mm = 0.1 + uniform()}};
+        return LayTexture{white, layers::PressedTexture{.place = {5, 5, 30.0 * uniform() + 1.0, 20},
+                                                        .picture = picture()}};
     }
 
     Action own_medium() {

@@ -255,6 +255,27 @@ TEST_F(ProjectRoundTrip, HalfTransparentPicturesComeBack) {
     }
 }
 
+TEST_F(ProjectRoundTrip, TexturesComeBackAndReplay) {
+    document::Recording recording = busy_session();
+    const document::PaintRecipe white{{{"PW6", 1.0}}};
+    for (const layers::Texture& texture :
+         {layers::Texture(layers::SandTexture{0.7, 3}), layers::Texture(layers::KnifedTexture{}),
+          layers::Texture(layers::PressedTexture{
+              {2, 2, 12, 12},
+              0.4,
+              true,
+              std::make_shared<const pigment::Picture>(half_transparent_picture())})})
+        recording.events.push_back({recording.end_tick, document::LayTexture{white, texture}});
+    recording.end_tick += 20;
+    const auto painting = played(recording, recording.end_tick, pool);
+    const Project project = project_of(*painting, recording);
+    const LoadedProject loaded = saved_and_loaded(project);
+    expect_equal(loaded.painting, project.painting);
+    EXPECT_EQ(loaded.strokes, project.strokes);
+    EXPECT_EQ(played(loaded.strokes, loaded.strokes.end_tick, pool)->state_hash(),
+              painting->state_hash());
+}
+
 TEST_F(ProjectRoundTrip, ACanvasThatWasCutComesBackAndReplays) {
     document::Recording recording = busy_session();
     recording.events.push_back({recording.end_tick, document::ResizeCanvas{-7, 4, 50, 31}});

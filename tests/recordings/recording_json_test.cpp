@@ -41,6 +41,12 @@ film::Medium stiffer_house_paint() {
     return medium;
 }
 
+layers::PressedTexture pressed_texture() {
+    auto picture = std::make_shared<pigment::Picture>(
+        pigment::Picture{2, 1, {255, 255, 255, 255, 20, 30, 40, 128}});
+    return {.place = {-2, 3.5, 30, 15}, .height_mm = 0.75, .dark_raised = true, .picture = picture};
+}
+
 /// Every kind of event, strokes interrupted by others and never lifted, ticks that follow from the times
 /// and ticks that do not.
 Recording everything() {
@@ -123,6 +129,9 @@ Recording everything() {
         {47, FillWithPaint{{{{"PB29", 1.0}}, 0.5}, 0.35, {{{"PW6", 1.0}}}, {{5, 10}, {40.5, 30}}}},
         {47, FillWithPaint{{{{"PB29", 1.0}}}}},
         {47, ToneGround{{{{"PBr7-RU", 2.0}, {"PW6", 1.0}}}, 0.05, "Ground"}},
+        {47, LayTexture{{{{"PW6", 1.0}}}, layers::SandTexture{1.25, 4000000000U}}},
+        {47, LayTexture{{{{"PW6", 1.0}}}, layers::KnifedTexture{0.5, 2.5, -30, 7}}},
+        {47, LayTexture{{{{"PW6", 1.0}}}, pressed_texture()}},
         {48, SelectAll{}},
         {49, MaskStripe{{{1, 2}, {30.5, -2}, {20, 40}}, 7.5}},
         {49, MaskStripe{{{1, 2}, {3, 2}}, 12, true, true}},
@@ -232,7 +241,7 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":14,"more":[]})"),
+        error(R"({"format":"pastoso-strokes","version":15,"more":[]})"),
         "s.json: this was written by a newer Pastoso (stroke format 15; this program reads up to 14).");
 }
 
@@ -458,6 +467,8 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         recording.events = {{0, SetLayer{1, {.name = "Paint", .bare_locked = true}}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
         recording.events = {{0, PeelMasking{}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
+        recording.events = {{0, LayTexture{}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
     }
 }

@@ -16,6 +16,7 @@
 #include "document/actions/pen_actions.hpp"
 #include "document/actions/picture_actions.hpp"
 #include "document/actions/selection_actions.hpp"
+#include "document/actions/texture_actions.hpp"
 #include "document/actions/well_actions.hpp"
 
 #include <type_traits>
@@ -38,7 +39,7 @@ struct JoinedActions<ActionList<First...>, ActionList<Second...>, Rest...>
 using AllActions =
     JoinedActions<BrushActions, MediaActions, CanvasActions, PenActions, WellActions, HistoryActions,
                   AidActions, LayerActions, GroupActions, SelectionActions, MarginActions,
-                  MaskingActions, PictureActions, CopyActions, FillActions>;
+                  MaskingActions, PictureActions, CopyActions, FillActions, TextureActions>;
 
 using Action = AllActions::Variant;
 

@@ -9,6 +9,12 @@
 namespace pastoso::document {
 namespace {
 
+void trace(layers::Tracing tracing, LivingPainting& painting) {
+    painting.value.tracing = std::make_shared<const layers::Tracing>(std::move(tracing));
+}
+
+}  // namespace
+
 void check_picture(const SharedPicture& picture) {
     PASTOSO_CHECK(picture != nullptr);
     const int width = picture->width, height = picture->height;
@@ -20,12 +26,6 @@ void check_picture(const SharedPicture& picture) {
                   pigment::kMostPicturePixels);
     PASTOSO_CHECK_OP(picture->rgba.size(), ==, std::size_t{4} * width * height);
 }
-
-void trace(layers::Tracing tracing, LivingPainting& painting) {
-    painting.value.tracing = std::make_shared<const layers::Tracing>(std::move(tracing));
-}
-
-}  // namespace
 
 void check_whole(const PaintPicture& paint) {
     check_picture(paint.picture);

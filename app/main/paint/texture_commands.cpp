@@ -1,0 +1,79 @@
+#include "main/paint/texture_commands.hpp"
+
+#include "files/image.hpp"
+#include "main/files/picture_files.hpp"
+#include "project/picture_import.hpp"
+
+#include <utility>
+
+#include <QFileInfo>
+#include <QMainWindow>
+
+namespace pastoso::main {
+namespace {
+
+/// In the middle of the canvas, as large as it fits.
+layers::PressedTexture placed(layers::PressedTexture pressed, pigment::Picture picture,
+                              const document::CanvasSettings& canvas) {
+    const layers::PicturePlace place = project::fitted_place(picture.width, picture.height, canvas);
+    const document::PaintPicture fitted =
+        project::paint_of_picture(std::move(picture), {}, place, canvas.px_per_mm);
+    pressed.place = fitted.place;
+    pressed.picture = fitted.picture;
+    return pressed;
+}
+
+}  // namespace
+
+TextureCommands::TextureCommands(Studio& studio, Loading& loading) : studio_(studio), loading_(loading) {
+    studio_.commands().on(commands::Command::LayTexture, [this](bool) { ask(); });
+}
+
+void TextureCommands::ask() {
+    if (is_lent()) return;
+    auto* dialog = new dialogs::TextureDialog(
+        chosen_, tr("Pictures (%1);;All files (*)").arg(picture_endings()), &studio_.window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { take(dialog->chosen()); });
+    dialog->show();
+}
+
+void TextureCommands::take(const dialogs::ChosenTexture& chosen) {
+    using Form = dialogs::ChosenTexture::Form;
+    chosen_ = chosen;
+    if (chosen.form == Form::Pressed) return read_picture();
+    if (chosen.form == Form::Sand)
+        lay(chosen.sand);
+    else
+        lay(chosen.knifed);
+    // A second coat has grains and passes of its own.
+    ++chosen_.sand.seed;
+    ++chosen_.knifed.seed;
+}
+
+void TextureCommands::read_picture() {
+    loading_.begin(tr("Reading %1").arg(QFileInfo(chosen_.picture).fileName()),
+                   [this, path = chosen_.picture.toStdString(), pressed = chosen_.pressed,
+                    canvas = studio_.session().canvas()](const core::Progress&) {
+                       const layers::PressedTexture texture =
+                           placed(pressed, files::read_picture(path).picture, canvas);
+                       return [this, texture] { lay(texture); };
+                   });
+}
+
+/// A recording may have begun to be played since the dialog was opened.
+void TextureCommands::lay(const layers::Texture& texture) {
+    if (is_lent()) return;
+    studio_.easel().lay_texture({studio_.easel().hand().paint, texture});
+    studio_.report(studio_.session().snapshot()->selection == nullptr
+                       ? tr("The paste lies on the whole canvas, dry.")
+                       : tr("The paste lies where it is selected, dry."));
+}
+
+bool TextureCommands::is_lent() {
+    if (!studio_.easel().brush_is_lent()) return false;
+    studio_.report(tr("A recording is being played; the paint is yours when it has ended."));
+    return true;
+}
+
+}  // namespace pastoso::main
