@@ -4,6 +4,8 @@
 #include "dialogs/texture_picture.hpp"
 #include "document/actions/texture_actions.hpp"
 
+#include <initializer_list>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -113,8 +115,8 @@ void TextureDialog::add_picture() {
 }
 
 void TextureDialog::ask_picture() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Picture to press in"), QFileInfo(chosen_.picture).path(), picture_filter_);
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Picture to press in"), chosen_.picture, picture_filter_);
     if (!path.isEmpty()) choose_picture(path);
 }
 
@@ -145,10 +147,9 @@ void TextureDialog::show_form() {
     for (QWidget* of_knife : {height_, spacing_, direction_})
         form_->setRowVisible(of_knife, chosen_.form == Form::Knifed);
     const bool pressed = chosen_.form == Form::Pressed;
-    for (QWidget* of_picture :
-         {static_cast<QWidget*>(picture_), static_cast<QWidget*>(relief_), static_cast<QWidget*>(dark_)})
+    for (QWidget* of_picture : std::initializer_list<QWidget*>{picture_, relief_, dark_})
         form_->setRowVisible(of_picture, pressed);
-    for (QWidget* of_seed : {static_cast<QWidget*>(piece_), static_cast<QWidget*>(others_)})
+    for (QWidget* of_seed : std::initializer_list<QWidget*>{piece_, others_})
         form_->setRowVisible(of_seed, !pressed);
     picture_->setText(chosen_.picture.isEmpty() ? tr("Choose a picture...")
                                                 : QFileInfo(chosen_.picture).fileName());

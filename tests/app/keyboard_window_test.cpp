@@ -13,6 +13,7 @@
 #include "dialogs/recovery_dialog.hpp"
 #include "dialogs/select_range_dialog.hpp"
 #include "dialogs/settings_dialog.hpp"
+#include "dialogs/texture_dialog.hpp"
 #include "dialogs/transform_dialog.hpp"
 #include "main/window_parts.hpp"
 #include "panels/canvas/direction_dial.hpp"
@@ -408,6 +409,15 @@ TEST_F(Keyboard, ReachesAllOfWhatAFailureLeft) {
     dialogs::RecoveryDialog recovery({{.folder = "/tmp/nowhere", .painting = "/tmp/a.pastoso"}},
                                      &window());
     expect_all_reached(recovery);
+}
+
+TEST_F(Keyboard, ReachesAllOfEveryTexture) {
+    using Form = dialogs::ChosenTexture::Form;
+    for (const Form form : {Form::Sand, Form::Knifed, Form::Pressed}) {
+        dialogs::TextureDialog dialog({.form = form, .picture = QStringLiteral("/tmp/a.png")}, {},
+                                      &window());
+        expect_all_reached(dialog);
+    }
 }
 
 TEST_F(Keyboard, ReachesAllOfEveryExport) {

@@ -44,6 +44,17 @@ class TextureWindow : public SelectionFixture {
         session().wait_until_applied();
         return std::get<document::LayTexture>(session().recording().events.back().action);
     }
+    /// Its left half is black, its right half white.
+    QString written_picture() {
+        const std::filesystem::path path = folder.path() / "relief.png";
+        pigment::Picture picture{40, 20, {}};
+        for (int i = 0; i < 800; ++i) {
+            const std::uint8_t level = i % 40 < 20 ? 0 : 255;
+            picture.rgba.insert(picture.rgba.end(), {level, level, level, 255});
+        }
+        core::write_text_file(path, files::png_file(picture));
+        return QString::fromStdString(path.string());
+    }
     double paste_mm(double x_mm, double y_mm) {
         session().wait_until_applied();
         const auto painting = session().snapshot();
@@ -102,19 +113,12 @@ TEST_F(TextureWindow, AnotherReliefIsThereForTheAsking) {
 }
 
 TEST_F(TextureWindow, APictureIsPressedIn) {
-    const std::filesystem::path path = folder.path() / "relief.png";
-    pigment::Picture picture{40, 20, {}};
-    for (int i = 0; i < 800; ++i) {
-        const std::uint8_t level = i % 40 < 20 ? 0 : 255;
-        picture.rgba.insert(picture.rgba.end(), {level, level, level, 255});
-    }
-    core::write_text_file(path, files::png_file(picture));
     dialogs::TextureDialog& dialog = opened();
     choose(dialog, ChosenTexture::Form::Pressed);
     auto* button = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
     EXPECT_FALSE(button->isEnabled()) << "no picture yet";
     EXPECT_FALSE(part<QPushButton>(dialog, "another").isVisibleTo(&dialog));
-    dialog.choose_picture(QString::fromStdString(path.string()));
+    dialog.choose_picture(written_picture());
     EXPECT_TRUE(button->isEnabled());
     EXPECT_EQ(part<QPushButton>(dialog, "picture").text(), "relief.png");
     part<QDoubleSpinBox>(dialog, "relief_mm").setValue(0.75);
@@ -125,6 +129,23 @@ TEST_F(TextureWindow, APictureIsPressedIn) {
     const document::CanvasSettings& canvas = session().canvas();
     EXPECT_NEAR(paste_mm(0.25 * canvas.width_mm, 0.5 * canvas.height_mm), 0.75, 0.001);
     EXPECT_EQ(paste_mm(0.75 * canvas.width_mm, 0.5 * canvas.height_mm), 0.0);
+}
+
+TEST_F(TextureWindow, APictureIsPressedIntoWhatIsSelected) {
+    give(Command::SelectRectangle);
+    drag({{10.0, 10.0}, {40.0, 30.0}});
+    dialogs::TextureDialog& dialog = opened();
+    choose(dialog, ChosenTexture::Form::Pressed);
+    dialog.choose_picture(written_picture());
+    dialog.accept();
+    loaded();
+    settle();
+    // Twice as wide as high, within 30 x 20 mm.
+    const layers::PicturePlace place = std::get<layers::PressedTexture>(last().texture).place;
+    EXPECT_NEAR(place.x_mm, 10.0, kSide_mm);
+    EXPECT_NEAR(place.y_mm, 12.5, kSide_mm);
+    EXPECT_NEAR(place.width_mm, 30.0, 2.0 * kSide_mm);
+    EXPECT_NEAR(place.height_mm, 15.0, 2.0 * kSide_mm);
 }
 
 }  // namespace

@@ -12,14 +12,25 @@
 namespace pastoso::main {
 namespace {
 
-/// In the middle of the canvas, as large as it fits.
+/// What is selected lies within it, or else the canvas.
+layers::PicturePlace room_of(const document::Snapshot& painting) {
+    const document::CanvasSettings& canvas = painting.bare->settings;
+    if (painting.selection == nullptr) return {0.0, 0.0, canvas.width_mm, canvas.height_mm};
+    const grid::Rect cells = grid::chosen_area(*painting.selection);
+    const double cell_mm = painting.film.cell_mm;
+    return {cell_mm * cells.x0, cell_mm * cells.y0, cell_mm * cells.width(), cell_mm * cells.height()};
+}
+
+/// In the middle of the room, as large as it fits.
 layers::PressedTexture placed(layers::PressedTexture pressed, pigment::Picture picture,
-                              const document::CanvasSettings& canvas) {
-    const layers::PicturePlace place = project::fitted_place(picture.width, picture.height, canvas);
-    const document::PaintPicture fitted =
-        project::paint_of_picture(std::move(picture), {}, place, canvas.px_per_mm);
-    pressed.place = fitted.place;
-    pressed.picture = fitted.picture;
+                              const layers::PicturePlace& room, document::CanvasSettings canvas) {
+    canvas.width_mm = room.width_mm;
+    canvas.height_mm = room.height_mm;
+    pressed.place = project::fitted_place(picture.width, picture.height, canvas);
+    pressed.place.x_mm += room.x_mm;
+    pressed.place.y_mm += room.y_mm;
+    pressed.picture =
+        project::paint_of_picture(std::move(picture), {}, pressed.place, canvas.px_per_mm).picture;
     return pressed;
 }
 
@@ -54,9 +65,10 @@ void TextureCommands::take(const dialogs::ChosenTexture& chosen) {
 void TextureCommands::read_picture() {
     loading_.begin(tr("Reading %1").arg(QFileInfo(chosen_.picture).fileName()),
                    [this, path = chosen_.picture.toStdString(), pressed = chosen_.pressed,
+                    room = room_of(*studio_.session().snapshot()),
                     canvas = studio_.session().canvas()](const core::Progress&) {
                        const layers::PressedTexture texture =
-                           placed(pressed, files::read_picture(path).picture, canvas);
+                           placed(pressed, files::read_picture(path).picture, room, canvas);
                        return [this, texture] { lay(texture); };
                    });
 }
