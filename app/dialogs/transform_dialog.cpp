@@ -1,5 +1,6 @@
 #include "dialogs/transform_dialog.hpp"
 
+#include "appearance/shown_message.hpp"
 #include "dialogs/length_box.hpp"
 #include "document/actions/actions.hpp"
 
@@ -44,7 +45,11 @@ bool reaches_beyond(const tools::TransformFrame& frame, const QSizeF& canvas_mm)
 TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm,
                                  QWidget* parent)
     // A tool window leaves the keys of the window below it as they are.
-    : GrowingDialog(parent, Qt::Tool), frame_(frame), canvas_mm_(canvas_mm), outcome_(new QLabel) {
+    : GrowingDialog(parent, Qt::Tool),
+      frame_(frame),
+      canvas_mm_(canvas_mm),
+      outcome_(new QLabel),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Transform"));
     constexpr double kFar_mm = document::kMaxPenPosition_mm;
     constexpr double kLeast = kPercent * document::kLeastScale, kMost = kPercent * document::kMostScale;
@@ -67,16 +72,19 @@ TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSize
     mirrors->addWidget(mirror_x_);
     mirrors->addWidget(mirror_y_);
     form->addRow(tr("Mirror"), mirrors);
+    auto* corners = new QLabel(tr("Drag with Ctrl: a corner alone, or a side askew."));
+    corners->setObjectName(QStringLiteral("corners"));
+    corners->setWordWrap(true);
+    form->addRow(tr("Corners"), corners);
     outcome_->setObjectName(QStringLiteral("outcome"));
     outcome_->setWordWrap(true);
     outcome_->setMinimumHeight(2 * outcome_->fontMetrics().lineSpacing());
     outcome_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     form->addRow(outcome_);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Apply"));
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    form->addRow(buttons);
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("Apply"));
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    form->addRow(buttons_);
     show_frame(frame);
 }
 
@@ -131,7 +139,10 @@ void TransformDialog::show_frame(const tools::TransformFrame& frame) {
 
 /// What there is more or less of afterwards.
 void TransformDialog::show_outcome() {
-    const double share = std::abs(frame_.scale.x * frame_.scale.y);
+    const core::Message problem = tools::problem_of(frame_);
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(problem.empty());
+    if (!problem.empty()) return outcome_->setText(appearance::shown_message(problem));
+    const double share = tools::area_growth(frame_);
     const double percent = kPercent * share;
     QString words = share == 1.0 ? tr("The paint keeps its thickness and its amount.")
                                  : tr("The paint keeps its thickness: %1 % of it will be there.")

@@ -6,6 +6,7 @@
 
 #include <QSizeF>
 
+class QDialogButtonBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
@@ -42,6 +43,7 @@ class TransformDialog : public GrowingDialog {
     QDoubleSpinBox* turn_ = nullptr;
     QToolButton *mirror_x_ = nullptr, *mirror_y_ = nullptr;
     QLabel* outcome_ = nullptr;
+    QDialogButtonBox* buttons_ = nullptr;
 };
 
 }  // namespace pastoso::dialogs

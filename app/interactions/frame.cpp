@@ -114,24 +114,28 @@ void Frame::take_screen_colours() {
     veil_ = appearance::shown_in_painting(veil_of(picture_));
 }
 
-tools::FrameHold Frame::hold_at(const glm::dvec2& place_mm) const {
-    return tools::hold_at(*frame_, place_mm, kReach_px * canvas_.px_mm());
+tools::FrameHold Frame::hold_at(const input::PointerEvent& event) const {
+    return tools::hold_at(*frame_, place_mm(event), kReach_px * canvas_.px_mm(),
+                          event.modifiers.testFlag(Qt::ControlModifier));
 }
 
 /// Whatever the button: nothing else is done beside the frame.
 Took Frame::press(const input::PointerEvent& event) {
     if (!frame_) return Took::Nothing;
     if (event.button != Qt::LeftButton) return Took::Press;
-    under_ = hold_at(place_mm(event));
+    under_ = hold_at(event);
     drag_ = Drag{*frame_, under_, place_mm(event)};
     return Took::Pointer;
 }
 
+/// A frame that would fold stays as it was last.
 void Frame::drag(const input::PointerEvent& event) {
     if (!frame_ || !drag_) return;
     const bool constrained = event.modifiers.testFlag(Qt::ShiftModifier);
-    frame_ = tools::dragged(drag_->start, drag_->hold, drag_->from_mm, place_mm(event), constrained,
-                            canvas_.cell_mm());
+    const tools::TransformFrame wanted = tools::dragged(drag_->start, drag_->hold, drag_->from_mm,
+                                                        place_mm(event), constrained, canvas_.cell_mm());
+    if (!tools::problem_of(wanted).empty()) return;
+    frame_ = wanted;
     Q_EMIT dragged(*frame_);
 }
 
@@ -162,7 +166,7 @@ bool Frame::key(const QKeyEvent& event) {
 }
 
 void Frame::hover(const input::PointerEvent& event) {
-    if (frame_) under_ = hold_at(place_mm(event));
+    if (frame_) under_ = hold_at(event);
 }
 
 std::optional<QCursor> Frame::cursor() const {
@@ -170,6 +174,7 @@ std::optional<QCursor> Frame::cursor() const {
     const tools::FrameHold hold = drag_ ? drag_->hold : under_;
     if (hold.kind == tools::FrameHold::Kind::Move) return Qt::SizeAllCursor;
     if (hold.kind == tools::FrameHold::Kind::Turn) return turning_cursor();
+    if (hold.kind == tools::FrameHold::Kind::Distort) return Qt::CrossCursor;
     const QPointF way = canvas_.widget_position(tools::handle_mm(*frame_, hold.side)) -
                         canvas_.widget_position(tools::handle_mm(*frame_, {0, 0}));
     return scaling_cursor({way.x(), way.y()});
@@ -201,10 +206,12 @@ void Frame::draw_in(const view::Overlay& overlay, const tools::TransformFrame& f
     const auto widget_point = [&](const glm::ivec2& side) {
         return canvas_.widget_position(tools::handle_mm(frame, side));
     };
-    const QPointF origin = widget_point({-1, -1});
-    const QPointF across = (widget_point({1, -1}) - origin) / picture.width();
-    const QPointF down = (widget_point({-1, 1}) - origin) / picture.height();
-    const QTransform placed(across.x(), across.y(), down.x(), down.y(), origin.x(), origin.y());
+    const double width = picture.width(), height = picture.height();
+    const QPolygonF from({{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}});
+    const QPolygonF to(
+        {widget_point({-1, -1}), widget_point({1, -1}), widget_point({1, 1}), widget_point({-1, 1})});
+    QTransform placed;
+    if (!QTransform::quadToQuad(from, to, placed)) return;
     overlay.painter.draw([&](QPainter& painter) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.setOpacity(opacity);

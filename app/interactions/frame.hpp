@@ -1,4 +1,4 @@
-// A frame over the canvas that presses and drags move, scale and turn.
+// A frame over the canvas that presses and drags move, scale, turn and distort.
 #pragma once
 
 #include "tools/transform_frame.hpp"
@@ -50,7 +50,7 @@ class Frame : public QObject, public view::Interaction {
         glm::dvec2 from_mm{};
     };
 
-    tools::FrameHold hold_at(const glm::dvec2& place_mm) const;
+    tools::FrameHold hold_at(const input::PointerEvent& event) const;
     void take_screen_colours();
     void draw_picture(const view::Overlay& overlay) const;
     void draw_in(const view::Overlay& overlay, const tools::TransformFrame& frame, const QImage& picture,

@@ -302,6 +302,11 @@ void Easel::transform(const TransformLayer& transform) {
     post_(transform);
 }
 
+void Easel::distort(const DistortLayer& distort) {
+    end_stroke();
+    post_(distort);
+}
+
 void Easel::tone_ground(const ToneGround& tone) {
     end_stroke();
     post_(tone);

@@ -113,6 +113,7 @@ class Easel {
     void turn_canvas(const document::TurnCanvas& turn);
     void scale_canvas(const document::ScaleCanvas& scale);
     void transform(const document::TransformLayer& transform);
+    void distort(const document::DistortLayer& distort);
     void fill(const document::FillWithPaint& fill);
     void tone_ground(const document::ToneGround& tone);
     void lay_texture(const document::LayTexture& lay);

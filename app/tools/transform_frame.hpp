@@ -1,4 +1,4 @@
-// The frame by which the paint of a layer is moved, scaled, turned and mirrored.
+// The frame by which the paint of a layer is moved, scaled, turned, mirrored and put into perspective.
 #pragma once
 
 #include "document/painting.hpp"
@@ -12,9 +12,10 @@ namespace pastoso::tools {
 
 /// A box around paint, and where it is taken. A point p of the canvas comes to
 ///
-///     centre + move + R(turn) diag(scale) (p - centre),
+///     centre + move + R(turn) diag(scale) (P(p) - centre),
 ///
-/// as in layers::Transform; the centre is that of the box.
+/// as in layers::Transform; the centre is that of the box. P takes each corner of the box as far as it
+/// is pulled, and keeps straight what is straight; it is none where no corner is.
 struct TransformFrame {
     glm::dvec2 corner_mm{};        ///< the upper left one of the box
     glm::dvec2 size_mm{1.0, 1.0};  ///< above 0
@@ -23,6 +24,11 @@ struct TransformFrame {
     glm::dvec2 scale{1.0,
                      1.0};  ///< below 0 mirrors; document::kLeastScale to kMostScale without its sign
 
+    /// How far the corners are pulled, clockwise from the upper left one, before they are scaled and
+    /// turned.
+    std::array<glm::dvec2, 4> pull_mm{};
+
+    bool is_distorted() const { return pull_mm != std::array<glm::dvec2, 4>{}; }
     glm::dvec2 centre_mm() const { return corner_mm + 0.5 * size_mm; }
     friend bool operator==(const TransformFrame&, const TransformFrame&) = default;
 };
@@ -47,22 +53,35 @@ inline constexpr std::array<glm::ivec2, 8> kFrameHandles = {
 
 /// What a press takes hold of.
 struct FrameHold {
-    enum class Kind { Move, Scale, Turn } kind = Kind::Move;
-    glm::ivec2 side{};  ///< the handle that scales
+    enum class Kind { Move, Scale, Distort, Turn } kind = Kind::Move;
+    glm::ivec2 side{};  ///< the handle that scales or distorts
     friend bool operator==(const FrameHold&, const FrameHold&) = default;
 };
 
-/// A handle within reach scales; inside the frame paint is moved, outside turned.
-FrameHold hold_at(const TransformFrame& frame, const glm::dvec2& place_mm, double reach_mm);
+/// A handle within reach scales, or distorts where that is asked for; inside the frame paint is moved,
+/// outside turned.
+FrameHold hold_at(const TransformFrame& frame, const glm::dvec2& place_mm, double reach_mm,
+                  bool distort = false);
 
 /// The frame after what the press took hold of was dragged from one place to another. Moving goes by
-/// whole cells. Scaling leaves the opposite corner or side where it is. `constrained` moves along one
-/// axis, keeps proportions, and turns to multiples of 15 degrees.
+/// whole cells. Scaling leaves the opposite corner or side where it is. Distorting takes a corner, or
+/// both corners of a side, and leaves the others. `constrained` moves along one axis, keeps proportions,
+/// turns to multiples of 15 degrees, and distorts along one axis of the box.
 TransformFrame dragged(const TransformFrame& frame, const FrameHold& hold, const glm::dvec2& from_mm,
                        const glm::dvec2& to_mm, bool constrained, double cell_mm);
 
-/// What is to be done to the layer; none where everything stays as it is. Where nothing but the move
-/// could blur the paint, it goes by whole cells.
+/// What is to be done to the layer by a frame that is not distorted; none where everything stays as it
+/// is. Where nothing but the move could blur the paint, it goes by whole cells.
 std::optional<layers::Transform> transform_of(const TransformFrame& frame, double cell_mm);
+
+/// The same by one that is.
+layers::Distortion distortion_of(const TransformFrame& frame);
+
+/// Why the paint cannot be distorted so: its corners go round no area, or a side is scaled too far.
+/// Empty where it can, and for a frame that is not distorted.
+core::Message problem_of(const TransformFrame& frame);
+
+/// By how much the area of the box has grown.
+double area_growth(const TransformFrame& frame);
 
 }  // namespace pastoso::tools

@@ -102,11 +102,11 @@ void merge_onto_lower(LayerStack& stack, std::size_t upper, core::ThreadPool& po
     if (was_active) stack.active = lower;
 }
 
-film::FilmState transformed(const film::FilmState& layer, const layers::Transform& transform,
+film::FilmState transformed(const film::FilmState& layer, const layers::Projective& map_cells,
                             const grid::Mask* selection, core::ThreadPool& pool) {
-    if (selection == nullptr) return layers::transformed(layer, transform, pool);
+    if (selection == nullptr) return layers::transformed(layer, map_cells, pool);
     const layers::CutLayer parts = layers::cut(layer, *selection);
-    return layers::merged(parts.outside, layers::transformed(parts.inside, transform, pool), 1.0, pool);
+    return layers::merged(parts.outside, layers::transformed(parts.inside, map_cells, pool), 1.0, pool);
 }
 
 std::vector<std::size_t> visible_places(const LayerStack& stack) {
@@ -468,15 +468,16 @@ LayerPaint LayeredCanvas::clear(const ClearLayer& clear, const grid::Mask* selec
     return wiped;
 }
 
-LayerChange LayeredCanvas::transform(const TransformLayer& transform, const grid::Mask* selection) {
+LayerChange LayeredCanvas::transform(LayerId layer, const layers::Projective& map_cells,
+                                     const grid::Mask* selection) {
     LayerChange paint;
     rearrange([&](LayerStack& stack) {
-        const std::size_t place = place_of(stack, transform.layer);
+        const std::size_t place = place_of(stack, layer);
         check_unlocked(stack, place);
-        InactiveFilm& layer = stack.layers[place].inactive;
-        paint.before = paint_on(*layer);
-        layer = inactive_film(transformed(*layer, transform.transform, selection, pool_));
-        paint.after = paint_on(*layer);
+        InactiveFilm& film = stack.layers[place].inactive;
+        paint.before = paint_on(*film);
+        film = inactive_film(transformed(*film, map_cells, selection, pool_));
+        paint.after = paint_on(*film);
     });
     return paint;
 }

@@ -100,7 +100,9 @@ class LayeredCanvas {
     LayerPaint remove(const RemoveLayer& remove);                              ///< what was wiped off
     /// What was wiped off. Without a selection, null, that is everything.
     LayerPaint clear(const ClearLayer& clear, const grid::Mask* selection);
-    LayerChange transform(const TransformLayer& transform, const grid::Mask* selection);
+    /// `map_cells`: where what lies on the layer, or is selected of it, comes to (layers/transform.hpp).
+    LayerChange transform(LayerId layer, const layers::Projective& map_cells,
+                          const grid::Mask* selection);
 
     /// The paint of a layer, or all that is visible, apart from what it lies on. With a selection, what
     /// is selected of it. Throws InputError where there is none such.

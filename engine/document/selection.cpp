@@ -104,8 +104,8 @@ Selection resampled(const Selection& before, const layers::Resampling& resamplin
     return before ? selection_of(layers::resampled(*before, resampling)) : nullptr;
 }
 
-Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform) {
-    return before ? selection_of(layers::transformed(*before, cell_mm, transform)) : nullptr;
+Selection transformed(const Selection& before, const layers::Projective& map_cells) {
+    return before ? selection_of(layers::transformed(*before, map_cells)) : nullptr;
 }
 
 }  // namespace pastoso::document

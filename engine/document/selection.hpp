@@ -35,6 +35,6 @@ Selection turned(const Selection& before, const core::Orientation& turn, core::T
 /// That of a canvas that is scaled.
 Selection resampled(const Selection& before, const layers::Resampling& resampling);
 
-Selection transformed(const Selection& before, double cell_mm, const layers::Transform& transform);
+Selection transformed(const Selection& before, const layers::Projective& map_cells);
 
 }  // namespace pastoso::document

@@ -1,7 +1,5 @@
 #include "layers/footprint.hpp"
 
-#include "core/check.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -50,58 +48,56 @@ double area_of(const Polygon& polygon) {
 struct Range {
     int first, end;
 };
-Range cells_of(const Polygon& polygon, double Point::*coordinate) {
+Range cells_of(const Polygon& polygon, double Point::*coordinate, const Range& within) {
     double low = polygon[0].*coordinate, high = low;
     for (const Point& point : polygon) {
         low = std::min(low, point.*coordinate);
         high = std::max(high, point.*coordinate);
     }
-    return {static_cast<int>(std::floor(low)), static_cast<int>(std::ceil(high))};
+    return {static_cast<int>(std::max<double>(within.first, std::floor(low))),
+            static_cast<int>(std::min<double>(within.end, std::ceil(high)))};
 }
 
 /// Half of a side, at least half a cell long.
-Point half_side(double x, double y) {
-    const double longer = 0.5 * std::max(1.0, 1.0 / std::hypot(x, y));
-    return {longer * x, longer * y};
+Point half_side(const Point& step) {
+    const double longer = 0.5 * std::max(1.0, 1.0 / std::hypot(step.x, step.y));
+    return {longer * step.x, longer * step.y};
 }
 
 }  // namespace
 
-Affine inverse(const Affine& map) {
-    const double determinant = map.a * map.e - map.b * map.d;
-    PASTOSO_CHECK(determinant != 0.0);
-    const double scale = 1.0 / determinant;
-    const Affine turned{scale * map.e, -scale * map.b, 0.0, -scale * map.d, scale * map.a, 0.0};
-    const Point shift = turned(map.c, map.f);
-    return {turned.a, turned.b, -shift.x, turned.d, turned.e, -shift.y};
+bool comes_from_somewhere(const Projective& to_source, int x, int y) {
+    constexpr double kFarthest = 0.5;
+    return to_source.depth(x + 0.5, y + 0.5) >= kFarthest;
 }
 
-Footprint::Footprint(const Affine& to_source)
-    : to_source_(to_source),
-      half_side_{half_side(to_source.a, to_source.d), half_side(to_source.b, to_source.e)},
-      area_(4.0 * std::abs(half_side_[0].x * half_side_[1].y - half_side_[1].x * half_side_[0].y)) {}
+Footprint::Footprint(const Projective& to_source, const grid::Rect& within)
+    : to_source_(to_source), within_(within) {}
 
 const std::vector<CellShare>& Footprint::of(int x, int y) {
+    shares_.clear();
+    if (!comes_from_somewhere(to_source_, x, y)) return shares_;
     const Point middle = to_source_(x + 0.5, y + 0.5);
+    const Steps steps = steps_at(to_source_, x + 0.5, y + 0.5);
+    const Point right = half_side(steps.right), down = half_side(steps.down);
     const auto corner = [&](double u, double v) {
-        return Point{middle.x + u * half_side_[0].x + v * half_side_[1].x,
-                     middle.y + u * half_side_[0].y + v * half_side_[1].y};
+        return Point{middle.x + u * right.x + v * down.x, middle.y + u * right.y + v * down.y};
     };
     corners_ = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
-    shares_.clear();
-    const Range rows = cells_of(corners_, &Point::y);
+    const double area = 4.0 * std::abs(right.x * down.y - down.x * right.y);
+    const Range rows = cells_of(corners_, &Point::y, {within_.y0, within_.y1});
     for (int row = rows.first; row < rows.end; ++row)
-        add_row(corners_, row);
+        add_row(corners_, area, row);
     return shares_;
 }
 
-void Footprint::add_row(const Polygon& corners, int row) {
+void Footprint::add_row(const Polygon& corners, double area, int row) {
     clip_to_cell(corners, &Point::y, row, clipped_, row_);
     if (row_.size() < 3) return;
-    const Range columns = cells_of(row_, &Point::x);
+    const Range columns = cells_of(row_, &Point::x, {within_.x0, within_.x1});
     for (int column = columns.first; column < columns.end; ++column) {
         clip_to_cell(row_, &Point::x, column, clipped_, cell_);
-        const double share = area_of(cell_) / area_;
+        const double share = area_of(cell_) / area;
         if (share >= kLeastShare) shares_.push_back({column, row, share});
     }
 }

@@ -183,16 +183,23 @@ Painted painted(const FilmState& layer) {
     return found;
 }
 
-/// The cells that a rectangle may come to, with those that the footprints reach beyond.
-grid::Rect reached(const grid::Rect& cells, const Affine& map) {
-    const grid::Point corners[] = {map(cells.x0, cells.y0), map(cells.x1, cells.y0),
-                                   map(cells.x0, cells.y1), map(cells.x1, cells.y1)};
-    grid::Point low = corners[0], high = corners[0];
-    for (const grid::Point& corner : corners) {
+/// The cells that a rectangle may come to, with those that the footprints reach beyond. What reaches
+/// behind the eye comes to lie anywhere.
+grid::Rect reached(const grid::Rect& cells, const Projective& map) {
+    constexpr double kNearest = 1e-3;
+    grid::Point low{1e6, 1e6}, high{-1e6, -1e6};
+    double beyond = 0.0;
+    for (const auto& [x, y] : {std::pair{cells.x0, cells.y0}, std::pair{cells.x1, cells.y0},
+                               std::pair{cells.x0, cells.y1}, std::pair{cells.x1, cells.y1}}) {
+        if (map.depth(x, y) < kNearest) return kAnywhere;
+        const grid::Point corner = map(x, y);
+        const Steps steps = steps_at(map, x, y);
         low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
         high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+        beyond = std::max(
+            {beyond, std::hypot(steps.right.x, steps.right.y), std::hypot(steps.down.x, steps.down.y)});
     }
-    const double beyond = 1.0 + std::max(std::hypot(map.a, map.d), std::hypot(map.b, map.e));
+    beyond += 1.0;
     const auto cell = [](double place) { return static_cast<int>(std::clamp(place, -1e6, 1e6)); };
     return {cell(std::floor(low.x - beyond)), cell(std::floor(low.y - beyond)),
             cell(std::ceil(high.x + beyond)), cell(std::ceil(high.y + beyond))};
@@ -218,7 +225,8 @@ class Resampler {
     ResultTile tile(int tile) const {
         ResultTile result;
         if (layer_.media.are_several()) result.media = TileBlock<film::MediaCell>::filled({});
-        Footprint footprint(inverse(resampling_.map));
+        Footprint footprint(inverse(resampling_.map),
+                            resampling_.beyond == Beyond::Bare ? painted_.cells : kAnywhere);
         const grid::Rect cells = resampling_.shape.tile_cells(tile);
         for (int y = cells.y0; y < cells.y1; ++y)
             for (int x = cells.x0; x < cells.x1; ++x) {
@@ -309,7 +317,7 @@ FilmState resampled(const FilmState& layer, const Resampling& resampling, core::
 }
 
 grid::Mask resampled(const grid::Mask& mask, const Resampling& resampling) {
-    const Affine to_source = inverse(resampling.map);
+    const Projective to_source = inverse(resampling.map);
     grid::MaskBuilder builder(resampling.shape);
     const auto cell = [](double place) {
         return static_cast<int>(std::floor(std::clamp(place, -1e6, 1e6)));
@@ -319,6 +327,7 @@ grid::Mask resampled(const grid::Mask& mask, const Resampling& resampling) {
         const grid::Rect cells = resampling.shape.tile_cells(tile);
         for (int y = cells.y0; y < cells.y1; ++y)
             for (int x = cells.x0; x < cells.x1; ++x) {
+                if (!comes_from_somewhere(to_source, x, y)) continue;
                 const grid::Point from = to_source(x + 0.5, y + 0.5);
                 const auto place =
                     place_of({cell(from.x), cell(from.y), 1.0}, mask.shape(), resampling.beyond);

@@ -13,7 +13,7 @@ namespace pastoso::layers {
 enum class Beyond { Bare, GoesOn };
 
 struct Resampling {
-    Affine map;         ///< from places before to places after, both in cells; can be inverted
+    Projective map;     ///< from places before to places after, both in cells; can be inverted
     grid::Shape shape;  ///< of the canvas after it
     double cell_mm;     ///< of its cells
     Beyond beyond = Beyond::Bare;

@@ -153,6 +153,81 @@ TEST(TransformFrame, IsTurnedAboutItsMiddle) {
                 1e-12);
 }
 
+TEST(TransformFrame, WithControlAHandleDistorts) {
+    EXPECT_EQ(hold_at(frame(), {10.5, 20.5}, 1.0, true), (FrameHold{Kind::Distort, {-1, -1}}));
+    EXPECT_EQ(hold_at(frame(), {30.0, 20.5}, 1.0, true), (FrameHold{Kind::Distort, {0, -1}}));
+    EXPECT_EQ(hold_at(frame(), {20.0, 25.0}, 1.0, true).kind, Kind::Move);
+    EXPECT_EQ(hold_at(frame(), {60.0, 25.0}, 1.0, true).kind, Kind::Turn);
+}
+
+TEST(TransformFrame, ACornerIsPulledAlone) {
+    const FrameHold upper_right{Kind::Distort, {1, -1}};
+    const TransformFrame pulled =
+        dragged(frame(), upper_right, {50.0, 20.0}, {44.0, 25.0}, false, kCell_mm);
+    EXPECT_TRUE(pulled.is_distorted());
+    expect_near(handle_mm(pulled, {-1, -1}), {10.0, 20.0});
+    expect_near(handle_mm(pulled, {1, -1}), {44.0, 25.0});
+    expect_near(handle_mm(pulled, {1, 1}), {50.0, 40.0});
+    expect_near(handle_mm(pulled, {-1, 1}), {10.0, 40.0});
+    // Diagonals cross where they crossed, here at (s, 30) with s from (10, 40) to (44, 25).
+    const glm::dvec2 middle = placed(pulled, {30.0, 30.0});
+    EXPECT_NEAR((middle.x - 10.0) * (25.0 - 40.0), (middle.y - 40.0) * (44.0 - 10.0), 1e-9);
+    EXPECT_NEAR((middle.x - 10.0) * (40.0 - 20.0), (middle.y - 20.0) * (50.0 - 10.0), 1e-9);
+    const TransformFrame level =
+        dragged(frame(), upper_right, {50.0, 20.0}, {44.0, 25.0}, true, kCell_mm);
+    expect_near(handle_mm(level, {1, -1}), {44.0, 20.0});
+    EXPECT_EQ(hold_at(pulled, {49.0, 22.0}, 1.0).kind, Kind::Turn) << "beside it now";
+    EXPECT_EQ(hold_at(pulled, {40.0, 26.0}, 1.0).kind, Kind::Move);
+}
+
+TEST(TransformFrame, ASideIsPulledAskew) {
+    const TransformFrame pulled =
+        dragged(frame(), {Kind::Distort, {0, -1}}, {30.0, 20.0}, {37.0, 21.0}, true, kCell_mm);
+    expect_near(handle_mm(pulled, {-1, -1}), {17.0, 20.0});
+    expect_near(handle_mm(pulled, {1, -1}), {57.0, 20.0});
+    expect_near(handle_mm(pulled, {1, 1}), {50.0, 40.0});
+    EXPECT_NEAR(area_growth(pulled), 1.0, 1e-12);
+    // A turned and mirrored one goes with the pointer, too.
+    TransformFrame turned = frame();
+    turned.turn_deg = 90.0;
+    turned.scale = {-1.0, 2.0};
+    const glm::dvec2 corner = handle_mm(turned, {1, 1});
+    const glm::dvec2 way{-3.0, 4.0};
+    const TransformFrame there =
+        dragged(turned, {Kind::Distort, {1, 1}}, corner, corner + way, false, kCell_mm);
+    expect_near(handle_mm(there, {1, 1}), corner + way);
+    expect_near(handle_mm(there, {-1, 1}), handle_mm(turned, {-1, 1}));
+}
+
+TEST(TransformFrame, ADistortedOneIsMovedScaledAndTurnedAsItIs) {
+    TransformFrame pulled =
+        dragged(frame(), {Kind::Distort, {1, -1}}, {50.0, 20.0}, {44.0, 25.0}, false, kCell_mm);
+    const TransformFrame moved =
+        dragged(pulled, {Kind::Move, {}}, {30.0, 30.0}, {33.0, 31.0}, false, kCell_mm);
+    expect_near(handle_mm(moved, {1, -1}), {47.0, 26.0});
+    const TransformFrame scaled =
+        dragged(pulled, {Kind::Scale, {1, 1}}, {50.0, 40.0}, {90.0, 60.0}, false, kCell_mm);
+    expect_near(handle_mm(scaled, {-1, -1}), {10.0, 20.0});
+    expect_near(handle_mm(scaled, {1, 1}), {90.0, 60.0});
+    expect_near(handle_mm(scaled, {1, -1}), {78.0, 30.0});
+    const layers::Distortion told = distortion_of(scaled);
+    EXPECT_EQ(told.corner, (layers::Place{10.0, 20.0}));
+    EXPECT_EQ(told.width_mm, 40.0);
+    EXPECT_NEAR(told.upper_right.x_mm, 78.0, 1e-9);
+    EXPECT_NEAR(told.lower_left.y_mm, 60.0, 1e-9);
+}
+
+TEST(TransformFrame, WhatFoldsSaysSo) {
+    const auto to = [](double x_mm, double y_mm) {
+        return dragged(frame(), {Kind::Distort, {1, 1}}, {50.0, 40.0}, {x_mm, y_mm}, false, kCell_mm);
+    };
+    EXPECT_TRUE(problem_of(frame()).empty());
+    EXPECT_TRUE(problem_of(to(40.0, 38.0)).empty());
+    EXPECT_FALSE(problem_of(to(20.0, 25.0)).empty()) << "bends inwards";
+    EXPECT_FALSE(problem_of(to(30.0, 10.0)).empty()) << "crosses itself";
+    EXPECT_FALSE(problem_of(to(50.0, 20.5)).empty()) << "a side is too short";
+}
+
 TEST(TransformFrame, WhatChangesNothingIsNotDone) {
     EXPECT_EQ(transform_of(frame(), kCell_mm), std::nullopt);
     TransformFrame moved = frame();

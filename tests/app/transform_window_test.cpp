@@ -5,6 +5,7 @@
 #include "main/window_parts.hpp"
 
 #include <cmath>
+#include <variant>
 
 #include <QAction>
 #include <QApplication>
@@ -199,6 +200,45 @@ TEST_F(TransformWindow, HandlesScaleAndOutsideTurns) {
     key(Qt::Key_Enter);
     // The rule of volume, within what an interpolation keeps (docs/decisions/0030).
     EXPECT_NEAR(volume_mm3(), share * before_mm3, 0.02 * share * before_mm3);
+}
+
+TEST_F(TransformWindow, ControlPullsACornerIntoPerspective) {
+    const auto before = painting();
+    begin();
+    const glm::dvec2 corner = handle(1, -1), others[] = {handle(-1, -1), handle(1, 1), handle(-1, 1)};
+    const glm::dvec2 way(-0.2 * frame()->size_mm.x, 0.3 * frame()->size_mm.y);
+    drag(corner, corner + way, Qt::ControlModifier);
+    ASSERT_TRUE(frame()->is_distorted());
+    EXPECT_NEAR(handle(1, -1).x, corner.x + way.x, 2.0 * kPixel_mm);
+    EXPECT_NEAR(handle(1, -1).y, corner.y + way.y, 2.0 * kPixel_mm);
+    EXPECT_NEAR(handle(-1, -1).x, others[0].x, 1e-9);
+    EXPECT_NEAR(handle(1, 1).y, others[1].y, 1e-9);
+    EXPECT_NEAR(handle(-1, 1).x, others[2].x, 1e-9);
+    EXPECT_THAT(outcome(), HasSubstr("keeps its thickness"));
+    key(Qt::Key_Return);
+    EXPECT_FALSE(frame().has_value());
+    session().wait_until_applied();
+    EXPECT_TRUE(
+        std::holds_alternative<document::DistortLayer>(session().recording().events.back().action));
+    EXPECT_NE(hash(), film::state_hash(before->film));
+    give(Command::Undo);
+    EXPECT_EQ(hash(), film::state_hash(before->film));
+}
+
+TEST_F(TransformWindow, ControlPullsASideAskewAndNoCornerFolds) {
+    begin();
+    const glm::dvec2 upper = handle(0, -1), lower_left = handle(-1, 1);
+    drag(upper, upper + glm::dvec2(5.0, 0.5), Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_NEAR(handle(0, -1).x, upper.x + 5.0, 2.0 * kPixel_mm);
+    EXPECT_NEAR(handle(0, -1).y, upper.y, 1e-9);
+    EXPECT_NEAR(handle(-1, 1).x, lower_left.x, 1e-9);
+    EXPECT_NEAR(tools::area_growth(*frame()), 1.0, 1e-9);
+    drag(handle(1, 1), handle(-1, -1) - glm::dvec2(3.0, 3.0), Qt::ControlModifier);
+    EXPECT_TRUE(tools::problem_of(*frame()).empty()) << "it stops before";
+    EXPECT_TRUE(button(QDialogButtonBox::Ok).isEnabled());
+    const std::size_t events = events_posted();
+    key(Qt::Key_Escape);
+    EXPECT_EQ(events_posted(), events);
 }
 
 TEST_F(TransformWindow, NumbersAndFrameKeepInStep) {

@@ -48,8 +48,8 @@ TEST(FootprintShares, OfAnEnlargementInterpolateAndOfAReductionAverage) {
 TEST(FootprintShares, SumToOneAndLieAboutTheMiddle) {
     for (int i = 0; i < 60; ++i) {
         const double angle = 0.1 * i, scale = 0.3 + 0.05 * i;
-        const Affine map{scale * std::cos(angle), -scale * std::sin(angle), 3.3 * i,
-                         scale * std::sin(angle), scale * std::cos(angle),  -1.7};
+        const Projective map{scale * std::cos(angle), -scale * std::sin(angle), 3.3 * i,
+                             scale * std::sin(angle), scale * std::cos(angle),  -1.7};
         Footprint footprint(map);
         double sum = 0.0, x = 0.0, y = 0.0;
         for (const CellShare& share : footprint.of(i, 2 * i)) {
@@ -66,7 +66,7 @@ TEST(FootprintShares, SumToOneAndLieAboutTheMiddle) {
 }
 
 TEST(FootprintShares, AnInverseTakesBack) {
-    const Affine map{0.7, -1.2, 5.0, 0.4, 2.2, -8.0};
+    const Projective map{0.7, -1.2, 5.0, 0.4, 2.2, -8.0};
     const grid::Point there = map(3.0, 4.0);
     const grid::Point back = inverse(map)(there.x, there.y);
     EXPECT_NEAR(back.x, 3.0, kRounding);
@@ -76,7 +76,7 @@ TEST(FootprintShares, AnInverseTakesBack) {
 class Transforming : public testing::Test {
   protected:
     FilmState moved(const FilmState& layer, const Transform& transform) {
-        return transformed(layer, transform, pool);
+        return transformed(layer, in_cells(transform, layer.cell_mm), pool);
     }
     /// A layer whose paint lies well inside the canvas.
     static FilmState inner_layer(std::uint32_t seed) {
@@ -215,14 +215,15 @@ TEST_F(Transforming, IsTheSameOnAnyNumberOfThreads) {
     core::ThreadPool alone(1), three(3);
     const FilmState layer = test::random_layer(7);
     const Transform transform{.centre_x_mm = 10, .turn_deg = 23, .scale_x = 1.2};
-    EXPECT_EQ(film::state_hash(transformed(layer, transform, alone)),
-              film::state_hash(transformed(layer, transform, three)));
+    const Projective map = in_cells(transform, layer.cell_mm);
+    EXPECT_EQ(film::state_hash(transformed(layer, map, alone)),
+              film::state_hash(transformed(layer, map, three)));
 }
 
 TEST_F(Transforming, AMaskComesAlong) {
     const grid::Mask mask = grid::polygon_mask(test::kShape, {{60, 20}, {90, 20}, {90, 50}, {60, 50}});
     const grid::Mask there =
-        transformed(mask, test::kCell_mm, Transform{.move_x_mm = 7.5, .move_y_mm = -3.25});
+        transformed(mask, in_cells(Transform{.move_x_mm = 7.5, .move_y_mm = -3.25}, test::kCell_mm));
     EXPECT_EQ(grid::chosen_area(there), (grid::Rect{90, 7, 120, 37}));
     EXPECT_EQ(grid::chosen_cells(there), 900);
 }

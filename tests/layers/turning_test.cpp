@@ -89,7 +89,8 @@ TEST_F(Turning, AMirroredLayerIsTheOneThatATransformMirrors) {
     const Transform mirror{.centre_x_mm = 0.5 * test::kShape.width * test::kCell_mm,
                            .centre_y_mm = 0.5 * test::kShape.height * test::kCell_mm,
                            .scale_x = -1.0};
-    EXPECT_EQ(hash(layer, {kMirror}), film::state_hash(transformed(layer, mirror, pool)));
+    EXPECT_EQ(hash(layer, {kMirror}),
+              film::state_hash(transformed(layer, in_cells(mirror, test::kCell_mm), pool)));
 }
 
 TEST_F(Turning, PaintFlowsTheWayThatHasTurnedWithIt) {

@@ -248,6 +248,7 @@ TEST_F(ProjectRoundTrip, HalfTransparentPicturesComeBack) {
              document::PaintPicture{"Once", {0, 0, 16, 16}, picture},
              document::PaintPicture{"Twice", {2, 1, 16, 16}, picture},
              document::TransformLayer{3, {.centre_x_mm = 10, .centre_y_mm = 9, .turn_deg = 31}},
+             document::DistortLayer{3, {{2, 2}, 16, 14, {4, 3}, {16, 1}, {19, 17}, {1, 16}}},
              document::DuplicateLayer{3}, document::MergeDown{4}}) {
         painting.apply(action);
         const Project project{painting.state(), {}};

@@ -105,9 +105,9 @@ void LayerTransform::show(const tools::TransformFrame& frame, const document::Sn
     open_dialog(frame, {canvas.width_mm, canvas.height_mm});
     studio_.canvas().setFocus();
     Q_EMIT changed();
-    studio_.report(
-        tr("Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, "
-           "Esc gives up."));
+    studio_.report(tr(
+        "Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner "
+        "or a side alone. Enter applies, Esc gives up."));
 }
 
 /// In the lower corner that is farther from the frame, where it hides little.
@@ -156,14 +156,19 @@ bool LayerTransform::cancel() {
 void LayerTransform::apply() {
     if (!transforming_ || !studio_.on_canvas().frame.shown()) return;
     const document::LayerId layer = transforming_->layer;
-    const auto wanted = tools::transform_of(*studio_.on_canvas().frame.shown(),
-                                            1.0 / transforming_->bare->settings.px_per_mm);
-    if (!wanted) {
+    const tools::TransformFrame frame = *studio_.on_canvas().frame.shown();
+    const auto wanted = tools::transform_of(frame, 1.0 / transforming_->bare->settings.px_per_mm);
+    if (!frame.is_distorted() && !wanted) {
         cancel();
         return;
     }
+    const core::Message problem = tools::problem_of(frame);
+    if (!problem.empty()) return studio_.report_refusal(appearance::shown_message(problem));
     end();
-    studio_.easel().transform({layer, *wanted});
+    if (frame.is_distorted())
+        studio_.easel().distort({layer, tools::distortion_of(frame)});
+    else
+        studio_.easel().transform({layer, *wanted});
     studio_.window().statusBar()->clearMessage();
 }
 

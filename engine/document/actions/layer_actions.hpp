@@ -15,6 +15,8 @@ struct LivingPainting;
 /// A transform scales by this along an axis, mirroring aside: what is smaller is not to be seen; larger,
 /// a cell would fill a small canvas.
 inline constexpr double kLeastScale = 0.05, kMostScale = 20.0;
+/// Smaller than a cell of the finest canvas.
+inline constexpr double kLeastDistorted_mm = 0.01;
 
 struct AddLayer {  ///< bare and with nothing but a name, above the active one; becomes active
     std::string name;
@@ -49,6 +51,14 @@ struct TransformLayer {
     layers::Transform transform;
     friend bool operator==(const TransformLayer&, const TransformLayer&) = default;
 };
+/// Draws its paint, or what is selected of it and the selection with it, by the corners of a rectangle;
+/// otherwise the same. The corners have to go round an area (layers::bends_outwards()), and each side to
+/// be scaled by kLeastScale to kMostScale.
+struct DistortLayer {
+    LayerId layer = 0;
+    layers::Distortion distortion;
+    friend bool operator==(const DistortLayer&, const DistortLayer&) = default;
+};
 struct MoveLayer {
     LayerId layer = 0;
     int place = 0;      ///< how many of the other layers are below it afterwards
@@ -65,9 +75,10 @@ struct FlattenLayers {  ///< merges all that are visible into the lowest of them
 };
 
 using LayerActions = ActionList<AddLayer, SelectLayer, SetLayer, DuplicateLayer, RemoveLayer, ClearLayer,
-                                TransformLayer, MoveLayer, MergeDown, FlattenLayers>;
+                                TransformLayer, DistortLayer, MoveLayer, MergeDown, FlattenLayers>;
 
 void check_whole(const TransformLayer& move);
+void check_whole(const DistortLayer& distort);
 void apply(const AddLayer& add, LivingPainting& painting);
 void apply(const SelectLayer& select, LivingPainting& painting);
 void apply(const SetLayer& set, LivingPainting& painting);
@@ -75,6 +86,7 @@ void apply(const DuplicateLayer& duplicate, LivingPainting& painting);
 void apply(const RemoveLayer& remove, LivingPainting& painting);
 void apply(const ClearLayer& clear, LivingPainting& painting);
 void apply(const TransformLayer& move, LivingPainting& painting);
+void apply(const DistortLayer& distort, LivingPainting& painting);
 void apply(const MoveLayer& move, LivingPainting& painting);
 void apply(const MergeDown& merge, LivingPainting& painting);
 void apply(const FlattenLayers& flatten, LivingPainting& painting);
@@ -160,6 +172,39 @@ struct Table<TransformLayer> {
         visit(Pair<In<&Transform::scale_x>, In<&Transform::scale_y>>{
             "scale", core::Pattern<0>("transform's scale"), "", -kMostScale, kMostScale, Written,
             "at least 0.05 each; negative to mirror"});
+    }
+};
+
+template <>
+struct Table<DistortLayer> {
+    static constexpr ActionTraits kTraits = change(
+        "distort_layer", 14, step_name("Transform"),
+        "its paint, or what is selected of it, is drawn by the corners of a rectangle, in perspective; "
+        "paint keeps its thickness ([0088](decisions/0088-perspective-and-rotation.md))");
+    template <auto... kMembers>
+    using In = At<&DistortLayer::distortion, kMembers...>;
+    template <auto kCorner>
+    static constexpr auto corner(const char* key, core::Pattern<0> name) {
+        using layers::Place;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        return Pair<In<kCorner, &Place::x_mm>, In<kCorner, &Place::y_mm>>{
+            key, name, "mm", -kFar_mm, kFar_mm, Presence::Required};
+    }
+    static constexpr void fields(auto&& visit) {
+        visit(kLayerNumber<&DistortLayer::layer>);
+        using layers::Distortion;
+        visit(corner<&Distortion::corner>("corner_mm", core::Pattern<0>("corner that is distorted")));
+        visit(Pair<In<&Distortion::width_mm>, In<&Distortion::height_mm>>{
+            "size_mm", core::Pattern<0>("size of what is distorted"), "mm", kLeastDistorted_mm,
+            kMaxPenPosition_mm, Presence::Required, "of the rectangle from that corner"});
+        visit(corner<&Distortion::upper_left>("upper_left_mm",
+                                              core::Pattern<0>("upper left corner of the distortion")));
+        visit(corner<&Distortion::upper_right>(
+            "upper_right_mm", core::Pattern<0>("upper right corner of the distortion")));
+        visit(corner<&Distortion::lower_right>(
+            "lower_right_mm", core::Pattern<0>("lower right corner of the distortion")));
+        visit(corner<&Distortion::lower_left>("lower_left_mm",
+                                              core::Pattern<0>("lower left corner of the distortion")));
     }
 };
 
