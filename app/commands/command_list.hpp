@@ -36,6 +36,7 @@ enum class Command {
     CropToSelection,
     MirrorImageHorizontally,
     MirrorImageVertically,
+    RotateImage,
     RotateImageRight,
     RotateImageLeft,
     RotateImageAround,

@@ -45,6 +45,7 @@ constexpr Name kNames[] = {
     {Command::CropToSelection, "crop_to_selection"},
     {Command::MirrorImageHorizontally, "mirror_image_horizontally"},
     {Command::MirrorImageVertically, "mirror_image_vertically"},
+    {Command::RotateImage, "rotate_image"},
     {Command::RotateImageRight, "rotate_image_right"},
     {Command::RotateImageLeft, "rotate_image_left"},
     {Command::RotateImageAround, "rotate_image_around"},

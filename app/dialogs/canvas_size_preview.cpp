@@ -26,34 +26,45 @@ QTransform fitting(const QRectF& all_mm, const QRectF& room) {
 }  // namespace
 
 CanvasSizePreview::CanvasSizePreview(const QImage& picture, const QSizeF& size_mm, QWidget* parent)
-    : QWidget(parent), picture_(picture), size_mm_(size_mm) {
+    : QWidget(parent), picture_(picture), before_mm_(QPointF(0.0, 0.0), size_mm), after_mm_(before_mm_) {
     setMinimumSize(160, 130);
 }
 
 void CanvasSizePreview::show_margins(const tools::Margins& margins) {
-    margins_ = margins;
+    after_mm_ =
+        before_mm_.adjusted(-margins.left_mm, -margins.top_mm, margins.right_mm, margins.bottom_mm);
+    update();
+}
+
+void CanvasSizePreview::show_rotated(const QSizeF& size_mm, double turn_deg) {
+    after_mm_ = QRectF(QPointF(0.0, 0.0), size_mm);
+    after_mm_.moveCenter(before_mm_.center());
+    turn_deg_ = turn_deg;
     update();
 }
 
 void CanvasSizePreview::paintEvent(QPaintEvent*) {
-    const QRectF before(QPointF(0.0, 0.0), size_mm_);
-    const QRectF after =
-        before.adjusted(-margins_.left_mm, -margins_.top_mm, margins_.right_mm, margins_.bottom_mm);
+    const QPointF middle = before_mm_.center();
+    const QTransform turn = QTransform()
+                                .translate(middle.x(), middle.y())
+                                .rotate(turn_deg_)
+                                .translate(-middle.x(), -middle.y());
     const QRectF room = QRectF(rect()).adjusted(kRoom_px, kRoom_px, -kRoom_px, -kRoom_px);
-    const QTransform place = fitting(before.united(after), room);
-    const QRectF before_px = place.mapRect(before), after_px = place.mapRect(after);
+    const QTransform place = fitting(turn.mapRect(before_mm_).united(after_mm_), room);
+    const QRectF after_px = place.mapRect(after_mm_);
+    QPainterPath before, after;
+    before.addPolygon((turn * place).map(QPolygonF(before_mm_)));
+    after.addRect(after_px);
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setRenderHint(QPainter::Antialiasing, turn_deg_ != 0.0);
     painter.fillRect(after_px, appearance::shown(kBareCanvas));
-    painter.fillRect(before_px, appearance::shown(kBareCanvas));
-    painter.drawImage(before_px, appearance::shown(picture_));
-    QPainterPath cut;
-    cut.addRect(before_px);
-    QPainterPath kept;
-    kept.addRect(after_px);
-    painter.fillPath(cut.subtracted(kept), kCutOff);
-    painter.setPen(QPen(kOldEdge, 1.0, Qt::DashLine));
-    painter.drawRect(before_px);
+    painter.fillPath(before, appearance::shown(kBareCanvas));
+    painter.setTransform(turn * place);
+    painter.drawImage(before_mm_, appearance::shown(picture_));
+    painter.resetTransform();
+    painter.fillPath(before.subtracted(after), kCutOff);
+    painter.strokePath(before, QPen(kOldEdge, 1.0, Qt::DashLine));
     painter.setPen(QPen(kNewEdge, 2.0));
     painter.drawRect(after_px);
 }

@@ -1,9 +1,10 @@
-// A canvas as it is within what it will be, small.
+// A canvas as it is, or turned, within what it will be, small.
 #pragma once
 
 #include "tools/canvas_resizing.hpp"
 
 #include <QImage>
+#include <QRectF>
 #include <QSizeF>
 #include <QWidget>
 
@@ -15,6 +16,8 @@ class CanvasSizePreview : public QWidget {
     CanvasSizePreview(const QImage& picture, const QSizeF& size_mm, QWidget* parent = nullptr);
 
     void show_margins(const tools::Margins& margins);
+    /// A canvas of that size, in the middle of which the picture is turned, clockwise.
+    void show_rotated(const QSizeF& size_mm, double turn_deg);
 
     QSize sizeHint() const override { return {230, 190}; }
 
@@ -23,8 +26,8 @@ class CanvasSizePreview : public QWidget {
 
   private:
     QImage picture_;
-    QSizeF size_mm_;
-    tools::Margins margins_;
+    QRectF before_mm_, after_mm_;
+    double turn_deg_ = 0.0;  ///< of the picture, about its middle
 };
 
 }  // namespace pastoso::dialogs

@@ -20,16 +20,38 @@ void move_point(const CanvasMove& move, double& x_mm, double& y_mm) {
     y_mm = place_mm.y;
 }
 
-double turned_deg(double angle_deg, const core::Orientation& turn) {
-    if (turn == core::Orientation{}) return angle_deg;
+double turned_deg(double angle_deg, const CanvasMove& move) {
+    const core::Orientation& turn = move.turn;
+    if (turn == core::Orientation{} && move.rotated_deg == 0.0) return angle_deg;
     constexpr double kQuarter_deg = 90.0, kWhole_deg = 360.0;
     const double mirrored_deg = turn.mirrored ? -angle_deg : angle_deg;
-    return std::remainder(mirrored_deg + kQuarter_deg * turn.quarter_turns, kWhole_deg);
+    return std::remainder(mirrored_deg + kQuarter_deg * turn.quarter_turns + move.rotated_deg,
+                          kWhole_deg);
+}
+
+glm::dvec2 rotated(const glm::dvec2& place_mm, double angle_deg) {
+    if (angle_deg == 0.0) return place_mm;
+    const grid::Point there = layers::turn_by(angle_deg)(place_mm.x, place_mm.y);
+    return {there.x, there.y};
+}
+
+/// Of its cells.
+glm::dvec2 middle_mm(const document::CanvasSettings& settings) {
+    const grid::Shape shape = document::canvas_shape(settings);
+    return 0.5 / settings.px_per_mm * glm::dvec2(shape.width, shape.height);
+}
+
+/// About the middle.
+CanvasMove rotation_between(const document::BareCanvas& before, const document::BareCanvas& after) {
+    CanvasMove move;
+    move.rotated_deg = after.rotated_deg - before.rotated_deg;
+    move.shift_mm = middle_mm(after.settings) - rotated(middle_mm(before.settings), move.rotated_deg);
+    return move;
 }
 
 /// A direction, or that of an axis.
 double moved_deg(double angle_deg, const CanvasMove& move) {
-    const double turned = turned_deg(angle_deg, move.turn);
+    const double turned = turned_deg(angle_deg, move);
     if (move.scale.x == move.scale.y) return turned;
     const double angle = core::radians(turned);
     return core::degrees(std::atan2(move.scale.y * std::sin(angle), move.scale.x * std::cos(angle)));
@@ -61,7 +83,7 @@ brush::EllipseCurve drawn_out(brush::EllipseCurve ellipse, const glm::dvec2& sca
 
 brush::EllipseCurve moved(brush::EllipseCurve ellipse, const CanvasMove& move) {
     move_point(move, ellipse.centre_x_mm, ellipse.centre_y_mm);
-    ellipse.turn_deg = turned_deg(ellipse.turn_deg, move.turn);
+    ellipse.turn_deg = turned_deg(ellipse.turn_deg, move);
     return drawn_out(ellipse, move.scale);
 }
 
@@ -105,7 +127,7 @@ std::optional<document::ResizeCanvas> cropped_to(const document::Selection& sele
 
 glm::dvec2 CanvasMove::operator()(const glm::dvec2& place_mm) const {
     const auto turned = core::turned(core::PlanePoint{place_mm.x, place_mm.y}, turn);
-    return scale * glm::dvec2(turned.x, turned.y) + shift_mm;
+    return scale * rotated({turned.x, turned.y}, rotated_deg) + shift_mm;
 }
 
 /// Both canvases lie on the same cloth.
@@ -117,6 +139,7 @@ CanvasMove move_between(const document::CanvasSettings& before, const document::
 }
 
 CanvasMove move_between(const document::BareCanvas& before, const document::BareCanvas& after) {
+    if (after.rotated_deg != before.rotated_deg) return rotation_between(before, after);
     CanvasMove move = move_between(before.settings, after.settings);
     glm::dvec2 drawn_out(before.drawn_out_x, before.drawn_out_y);
     if (move.turn.swaps_sides()) drawn_out = {drawn_out.y, drawn_out.x};

@@ -1,4 +1,5 @@
-// What follows from a canvas that is cut, made larger, turned or scaled, before it is done and after.
+// What follows from a canvas that is cut, made larger, turned, scaled or rotated, before it is done and
+// after.
 #pragma once
 
 #include "core/orientation.hpp"
@@ -35,12 +36,13 @@ Margins margins_of(const document::ResizeCanvas& resize, const document::CanvasS
 std::optional<document::ResizeCanvas> cropped_to(const document::Selection& selection,
                                                  const document::CanvasSettings& canvas);
 
-/// Where on the canvas lies what was on it before: turned about the corner, drawn out from it, then so
-/// much further from it.
+/// Where on the canvas lies what was on it before: turned about the corner, rotated about it, drawn out
+/// from it, then so much further from it.
 struct CanvasMove {
     core::Orientation turn{};
     glm::dvec2 shift_mm{0.0, 0.0};
     glm::dvec2 scale{1.0, 1.0};
+    double rotated_deg = 0.0;  ///< clockwise
 
     glm::dvec2 operator()(const glm::dvec2& place_mm) const;
     friend bool operator==(const CanvasMove&, const CanvasMove&) = default;
@@ -49,7 +51,7 @@ struct CanvasMove {
 /// That of a canvas that was cut, made larger or turned, or where that was taken back.
 CanvasMove move_between(const document::CanvasSettings& before, const document::CanvasSettings& after);
 
-/// The same, or that of one that was scaled, which is no other change besides.
+/// The same, or that of one that was scaled or rotated, which is no other change besides.
 CanvasMove move_between(const document::BareCanvas& before, const document::BareCanvas& after);
 
 /// How much further from the corner the middle of the canvas came to lie.

@@ -297,6 +297,11 @@ void Easel::scale_canvas(const ScaleCanvas& scale) {
     post_(scale);
 }
 
+void Easel::rotate_canvas(const RotateCanvas& rotate) {
+    end_stroke();
+    post_(rotate);
+}
+
 void Easel::transform(const TransformLayer& transform) {
     end_stroke();
     post_(transform);

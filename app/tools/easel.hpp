@@ -112,6 +112,7 @@ class Easel {
     void resize(const document::ResizeCanvas& resize);
     void turn_canvas(const document::TurnCanvas& turn);
     void scale_canvas(const document::ScaleCanvas& scale);
+    void rotate_canvas(const document::RotateCanvas& rotate);
     void transform(const document::TransformLayer& transform);
     void distort(const document::DistortLayer& distort);
     void fill(const document::FillWithPaint& fill);

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/memory.hpp"
+#include "core/units.hpp"
 #include "film/state.hpp"
 #include "layers/extent.hpp"
 #include "layers/turning.hpp"
@@ -136,6 +137,7 @@ ResizedCanvas resized_canvas(const ResizeCanvas& resize, std::shared_ptr<const B
         resized_support(*before, after.settings, extent_of(resize, before->settings), pool);
     after.drawn_out_x = before->drawn_out_x;
     after.drawn_out_y = before->drawn_out_y;
+    after.rotated_deg = before->rotated_deg;
     return {resize, std::move(before), std::make_shared<const BareCanvas>(std::move(after))};
 }
 
@@ -179,12 +181,55 @@ BareCanvas scaled(const ScaleCanvas& scale, const BareCanvas& bare, core::Thread
     BareCanvas after{.settings = scaled(scale, bare.settings),
                      .support_mm = {},
                      .drawn_out_x = scale.scale_x * bare.drawn_out_x,
-                     .drawn_out_y = scale.scale_y * bare.drawn_out_y};
+                     .drawn_out_y = scale.scale_y * bare.drawn_out_y,
+                     .rotated_deg = bare.rotated_deg};
     check_canvas_fits(after.settings, core::available_memory_bytes());
     after.support_mm =
         after.settings.support == "image"
             ? layers::resampled(bare.support_mm, resampling_of(scale, bare.settings), pool)
             : named_support(after.settings, pool, film::form_of(bare.support_mm));
+    return after;
+}
+
+CanvasSettings rotated(const RotateCanvas& rotate, CanvasSettings settings) {
+    if (rotate.keeps_size) return settings;
+    const double angle = core::radians(rotate.turn_deg);
+    const double cosine = std::abs(std::cos(angle)), sine = std::abs(std::sin(angle));
+    const double width_mm = in_millionths(cosine * settings.width_mm + sine * settings.height_mm);
+    const double height_mm = in_millionths(sine * settings.width_mm + cosine * settings.height_mm);
+    return resized({0.5 * (settings.width_mm - width_mm), 0.5 * (settings.height_mm - height_mm),
+                    width_mm, height_mm},
+                   settings);
+}
+
+layers::Rotation rotation_of(const RotateCanvas& rotate, const CanvasSettings& before) {
+    const auto middle = [&](const CanvasSettings& settings) {
+        const grid::Shape shape = canvas_shape(settings);
+        return layers::Place{0.5 * shape.width / settings.px_per_mm,
+                             0.5 * shape.height / settings.px_per_mm};
+    };
+    return {rotate.turn_deg, middle(before), middle(rotated(rotate, before))};
+}
+
+layers::Resampling resampling_of(const RotateCanvas& rotate, const CanvasSettings& before) {
+    const double cell_mm = 1.0 / before.px_per_mm;
+    return {.map = layers::in_cells(rotation_of(rotate, before), cell_mm),
+            .shape = canvas_shape(rotated(rotate, before)),
+            .cell_mm = cell_mm};
+}
+
+BareCanvas rotated(const RotateCanvas& rotate, const BareCanvas& bare, core::ThreadPool& pool) {
+    BareCanvas after{.settings = rotated(rotate, bare.settings),
+                     .support_mm = bare.support_mm,
+                     .drawn_out_x = bare.drawn_out_x,
+                     .drawn_out_y = bare.drawn_out_y,
+                     .rotated_deg = bare.rotated_deg + rotate.turn_deg};
+    check_canvas_fits(after.settings, core::available_memory_bytes());
+    if (after.settings.support == "image")
+        after.support_mm =
+            layers::resampled(bare.support_mm, resampling_of(rotate, bare.settings), pool);
+    else if (after.settings != bare.settings)
+        after.support_mm = named_support(after.settings, pool, film::form_of(bare.support_mm));
     return after;
 }
 

@@ -7,6 +7,7 @@
 #include "film/support/support.hpp"
 #include "grid/extent.hpp"
 #include "layers/resampling.hpp"
+#include "layers/rotation.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -26,6 +27,7 @@ struct BareCanvas {
     /// How far what is painted has been drawn out since the painting was begun or opened, for what lies
     /// over it.
     double drawn_out_x = 1.0, drawn_out_y = 1.0;
+    double rotated_deg = 0.0;  ///< how far it has been turned since then by RotateCanvas, clockwise
 };
 
 /// Throws InputError when a number is not finite or outside the limits above, or when the support's
@@ -73,6 +75,20 @@ layers::Resampling resampling_of(const ScaleCanvas& scale, const CanvasSettings&
 /// The canvas that has been scaled: of the same cloth, or of its image drawn out. Throws the same, and
 /// where it would not fit into memory.
 BareCanvas scaled(const ScaleCanvas& scale, const BareCanvas& bare, core::ThreadPool& pool);
+
+/// What becomes of the settings of a canvas on which everything is turned; its middle stays on the same
+/// place of the cloth, in whole cells. Throws InputError as check_canvas() does.
+CanvasSettings rotated(const RotateCanvas& rotate, CanvasSettings settings);
+
+/// About the middle of the cells that there were, which comes to that of the cells there will be.
+layers::Rotation rotation_of(const RotateCanvas& rotate, const CanvasSettings& before);
+
+/// Where its cells come to.
+layers::Resampling resampling_of(const RotateCanvas& rotate, const CanvasSettings& before);
+
+/// The canvas on which everything is turned: of the same cloth, upright, or of its image turned. Throws
+/// the same, and where it would not fit into memory.
+BareCanvas rotated(const RotateCanvas& rotate, const BareCanvas& bare, core::ThreadPool& pool);
 
 /// About what a painting of this many cells needs when all of it is wet and being rendered.
 std::size_t estimated_bytes(const grid::Shape& shape);

@@ -241,7 +241,8 @@ void LayeredCanvas::turn(const core::Orientation& turn, std::shared_ptr<const Ba
     solver.restart(awake);
 }
 
-void LayeredCanvas::scale(const layers::Resampling& resampling, std::shared_ptr<const BareCanvas> bare) {
+void LayeredCanvas::resample(const layers::Resampling& resampling,
+                             std::shared_ptr<const BareCanvas> bare) {
     lay_out_on(std::move(bare), [&](const film::FilmState& layer) {
         return layers::resampled(layer, resampling, pool_);
     });

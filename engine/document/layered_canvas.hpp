@@ -75,7 +75,7 @@ class LayeredCanvas {
     void turn(const core::Orientation& turn, std::shared_ptr<const BareCanvas> bare);
 
     /// Makes the canvas of other cells; `bare` is its support then. Paint begins at rest.
-    void scale(const layers::Resampling& resampling, std::shared_ptr<const BareCanvas> bare);
+    void resample(const layers::Resampling& resampling, std::shared_ptr<const BareCanvas> bare);
 
     // Changes of the layers (actions). They throw InputError, and leave all
     // as it was, for layers and places that there are not, and for changes of what is locked.

@@ -1,6 +1,7 @@
 #include "layers/picture_means.hpp"
 
 #include "core/check.hpp"
+#include "layers/footprint.hpp"
 #include "pigment/hex_colour.hpp"
 
 #include <algorithm>
@@ -50,6 +51,36 @@ grid::Rect cells_touched(const PicturePlace& place, double cell_mm, const grid::
             cell(std::ceil((place.y_mm + place.height_mm) / cell_mm), shape.height)};
 }
 
+/// Of the light that pixels send, as far as they cover.
+class LightSum {
+  public:
+    void add(const std::uint8_t* pixel, double share) {
+        const std::array<float, 256>& levels = decoded_levels();
+        const double covering = share * pixel[3];
+        for (int k = 0; k < 3; ++k)
+            sums_[k] += covering * levels[pixel[k]];
+        covered_ += covering;
+    }
+    /// In a cell of which so large a part is theirs.
+    CoveredColour mean(double share_x, double share_y) const {
+        if (covered_ <= 0.0) return {};
+        CoveredColour mean;
+        for (int k = 0; k < 3; ++k)
+            mean.colour[k] = static_cast<float>(sums_[k] / covered_);
+        mean.coverage = static_cast<float>(std::min(1.0, covered_ / 255.0 * share_x * share_y));
+        return mean;
+    }
+
+  private:
+    double sums_[3] = {0.0, 0.0, 0.0}, covered_ = 0.0;
+};
+
+void append(const CoveredColour& mean, pigment::Picture& picture) {
+    const pigment::Srgb8 colour = pigment::encoded(mean.colour);
+    picture.rgba.insert(picture.rgba.end(), colour.begin(), colour.end());
+    picture.rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0F * mean.coverage)));
+}
+
 }  // namespace
 
 std::vector<AxisCover> axis_covers(double begin, double length, int pixels, int first, int end) {
@@ -80,27 +111,33 @@ PictureMeans::PictureMeans(const pigment::Picture& picture, const PicturePlace& 
 }
 
 CoveredColour PictureMeans::at(int x, int y) const {
-    const std::array<float, 256>& levels = decoded_levels();
     const AxisCover& column = columns_[static_cast<std::size_t>(x - cells_.x0)];
     const AxisCover& row = rows_[static_cast<std::size_t>(y - cells_.y0)];
-    double sums[3] = {0.0, 0.0, 0.0}, covered = 0.0;
+    LightSum sum;
     for (std::size_t j = 0; j < row.weights.size(); ++j) {
         const std::size_t start =
             (static_cast<std::size_t>(row.first) + j) * picture_.width + column.first;
         const std::uint8_t* pixel = &picture_.rgba[4 * start];
-        for (std::size_t i = 0; i < column.weights.size(); ++i, pixel += 4) {
-            const double share = row.weights[j] * column.weights[i] * pixel[3];
-            for (int k = 0; k < 3; ++k)
-                sums[k] += share * levels[pixel[k]];
-            covered += share;
-        }
+        for (std::size_t i = 0; i < column.weights.size(); ++i, pixel += 4)
+            sum.add(pixel, row.weights[j] * column.weights[i]);
     }
-    if (covered <= 0.0) return {};
-    CoveredColour mean;
-    for (int k = 0; k < 3; ++k)
-        mean.colour[k] = static_cast<float>(sums[k] / covered);
-    mean.coverage = static_cast<float>(std::min(1.0, covered / 255.0 * column.share * row.share));
-    return mean;
+    return sum.mean(column.share, row.share);
+}
+
+pigment::Picture resampled(const pigment::Picture& picture, const Projective& map, int width,
+                           int height) {
+    pigment::Picture result{width, height, {}};
+    result.rgba.reserve(std::size_t{4} * width * height);
+    Footprint footprint(inverse(map), {0, 0, picture.width, picture.height});
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            LightSum sum;
+            for (const CellShare& share : footprint.of(x, y))
+                sum.add(&picture.rgba[4 * (static_cast<std::size_t>(share.y) * picture.width + share.x)],
+                        share.share);
+            append(sum.mean(1.0, 1.0), result);
+        }
+    return result;
 }
 
 pigment::Picture reduced(pigment::Picture picture, int most_width, int most_height) {
@@ -113,12 +150,8 @@ pigment::Picture reduced(pigment::Picture picture, int most_width, int most_heig
         {small.width, small.height});
     small.rgba.reserve(std::size_t{4} * small.width * small.height);
     for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x) {
-            const CoveredColour mean = means.at(x, y);
-            const pigment::Srgb8 colour = pigment::encoded(mean.colour);
-            small.rgba.insert(small.rgba.end(), colour.begin(), colour.end());
-            small.rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0F * mean.coverage)));
-        }
+        for (int x = 0; x < small.width; ++x)
+            append(means.at(x, y), small);
     return small;
 }
 

@@ -3,6 +3,7 @@
 
 #include "grid/shape.hpp"
 #include "layers/picture_place.hpp"
+#include "layers/projective.hpp"
 #include "pigment/colour.hpp"
 #include "pigment/image.hpp"
 
@@ -45,6 +46,11 @@ class PictureMeans {
     grid::Rect cells_;
     std::vector<AxisCover> columns_, rows_;  ///< of the cells
 };
+
+/// The picture on `width` x `height` pixels that `map` takes its own to, each the mean of what its place
+/// was before (footprint.hpp); nothing beside it.
+pigment::Picture resampled(const pigment::Picture& picture, const Projective& map, int width,
+                           int height);
 
 /// The picture in at most so many pixels a side, each the mean of what it covers; as it is where it has
 /// no more.

@@ -42,6 +42,8 @@ document::CanvasSettings after(const document::Action& action, const document::C
         return document::turned(turn->turn, canvas);
     if (const auto* scale = std::get_if<document::ScaleCanvas>(&action))
         return document::scaled(*scale, canvas);
+    if (const auto* rotate = std::get_if<document::RotateCanvas>(&action))
+        return document::rotated(*rotate, canvas);
     return canvas;
 }
 

@@ -104,6 +104,31 @@ TEST(CanvasResizing, OfAScaledCanvasTheWayThereAndBackIsKnown) {
     EXPECT_EQ(move_between(before, turned), move_between(canvas(), turned.settings));
 }
 
+TEST(CanvasResizing, GuidesAreRotatedAboutTheMiddleAndBack) {
+    const document::CanvasSettings rotated = document::rotated(document::RotateCanvas{30.0}, canvas());
+    const document::BareCanvas before{.settings = canvas(), .support_mm = {}},
+        after{.settings = rotated, .support_mm = {}, .rotated_deg = 30.0};
+    const CanvasMove there = move_between(before, after), back = move_between(after, before);
+    Hand hand;
+    hand.symmetry = {.centre_x_mm = 30.0, .centre_y_mm = 20.0, .axis_deg = 45.0, .mirror = true};
+    hand.ruler = brush::Ruler{30.0, 20.0, 40.0, 20.0};
+    hand.ellipse = brush::EllipseCurve{40.0, 20.0, 7.0, 8.0, 9.0};
+    const Hand moved = moved_along(hand, there);
+    // The middles are of whole cells.
+    const glm::dvec2 middle = 0.5 * glm::dvec2(rotated.width_mm, rotated.height_mm);
+    const double cell_mm = 1.0 / rotated.px_per_mm;
+    EXPECT_NEAR(moved.symmetry.centre_x_mm, middle.x, cell_mm);
+    EXPECT_NEAR(moved.symmetry.centre_y_mm, middle.y, cell_mm);
+    EXPECT_NEAR(moved.symmetry.axis_deg, 75.0, 1e-9);
+    EXPECT_NEAR(moved.ruler->x2_mm - moved.ruler->x1_mm, 10.0 * std::sqrt(0.75), 1e-9);
+    EXPECT_NEAR(moved.ruler->y2_mm - moved.ruler->y1_mm, 5.0, 1e-9);
+    EXPECT_NEAR(moved.ellipse->turn_deg, 39.0, 1e-9);
+    const Hand again = moved_along(moved, back);
+    EXPECT_NEAR(again.ruler->x2_mm, 40.0, 1e-9);
+    EXPECT_NEAR(again.ruler->y2_mm, 20.0, 1e-9);
+    EXPECT_NEAR(again.symmetry.axis_deg, 45.0, 1e-9);
+}
+
 /// How far a point lies from an ellipse, in parts of its size.
 double off(const brush::EllipseCurve& ellipse, const glm::dvec2& point) {
     const double turn = core::radians(ellipse.turn_deg);

@@ -2,6 +2,7 @@
 // and view following.
 #include "app/window_fixture.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
+#include "dialogs/rotate_dialog.hpp"
 #include "dialogs/scale_dialog.hpp"
 #include "main/window_parts.hpp"
 
@@ -340,6 +341,78 @@ TEST_F(ScaledImage, TheDialogSaysWhatBecomesOfTheImage) {
         child<QDoubleSpinBox>(dialog, "px_per_mm").setValue(70.0);
         EXPECT_FALSE(scale_ok(dialog).isEnabled());
         EXPECT_THAT(words(dialog), HasSubstr("between 0.25 and 64"));
+    });
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+}
+
+class RotatedImage : public CanvasSize {
+  protected:
+    void in_rotate_dialog(const std::function<void(dialogs::RotateDialog&)>& act) {
+        bool done = false;
+        QTimer::singleShot(0, &window(), [&] {
+            auto* dialog = window().findChild<dialogs::RotateDialog*>();
+            ASSERT_NE(dialog, nullptr);
+            act(*dialog);
+            done = true;
+            if (dialog->isVisible()) dialog->reject();
+        });
+        give(Command::RotateImage);
+        EXPECT_TRUE(done);
+        settle();
+    }
+    template <class Child>
+    static Child& child(dialogs::RotateDialog& dialog, const char* name) {
+        return *dialog.findChild<Child*>(QLatin1String(name));
+    }
+    static QPushButton& rotate_ok(dialogs::RotateDialog& dialog) {
+        return *dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    }
+    static std::string words(dialogs::RotateDialog& dialog) {
+        return child<QLabel>(dialog, "summary").text().toStdString();
+    }
+    void rotate(double turn_deg, bool keeps_size) {
+        in_rotate_dialog([&](dialogs::RotateDialog& dialog) {
+            child<QDoubleSpinBox>(dialog, "turn").setValue(turn_deg);
+            child<QCheckBox>(dialog, "keeps_size").setChecked(keeps_size);
+            ASSERT_TRUE(rotate_ok(dialog).isEnabled()) << words(dialog);
+            rotate_ok(dialog).click();
+        });
+    }
+};
+
+TEST_F(RotatedImage, ThePaintingIsTurnedWithItsGuidesAndUndoBringsItBack) {
+    give(Command::Ruler);
+    studio().easel().move_ruler({30.0, 20.0, 40.0, 20.0});
+    mouse_stroke(line_mm({36.0, 20.0}, {44.0, 20.0}));
+    settle();
+    const brush::Ruler ruler = *studio().easel().hand().ruler;
+    rotate(90.0, true);
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+    EXPECT_GT(thickness_at({30.0, 30.0}), 0) << "10 mm below the middle";
+    EXPECT_NEAR(studio().easel().hand().ruler->x2_mm, 30.0, 1e-9);
+    EXPECT_NEAR(studio().easel().hand().ruler->y2_mm, 30.0, 1e-9);
+    give(Command::Undo);
+    EXPECT_GT(thickness_at({40.0, 20.0}), 0);
+    EXPECT_NEAR(studio().easel().hand().ruler->x2_mm, ruler.x2_mm, 1e-9);
+    rotate(30.0, false);
+    EXPECT_NEAR(size_mm().x, 60.0 * std::sqrt(0.75) + 20.0, 1e-6);
+    EXPECT_NEAR(size_mm().y, 30.0 + 40.0 * std::sqrt(0.75), 1e-6);
+    give(Command::Undo);
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+}
+
+TEST_F(RotatedImage, TheDialogSaysWhatBecomesOfTheCanvas) {
+    in_rotate_dialog([&](dialogs::RotateDialog& dialog) {
+        EXPECT_FALSE(rotate_ok(dialog).isEnabled());
+        EXPECT_THAT(words(dialog), HasSubstr("stands like this"));
+        child<QDoubleSpinBox>(dialog, "turn").setValue(-30.0);
+        EXPECT_TRUE(rotate_ok(dialog).isEnabled());
+        EXPECT_THAT(words(dialog), HasSubstr("71.96 × 64.64 mm"));
+        EXPECT_THAT(words(dialog), HasSubstr("is bare"));
+        child<QCheckBox>(dialog, "keeps_size").setChecked(true);
+        EXPECT_THAT(words(dialog), HasSubstr("60 × 40 mm"));
+        EXPECT_THAT(words(dialog), HasSubstr("wiped off"));
+        EXPECT_EQ(dialog.wanted(), (document::RotateCanvas{-30.0, true}));
     });
     EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
 }

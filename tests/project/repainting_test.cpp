@@ -117,6 +117,8 @@ TEST_F(RepaintingTest, TermsCountEverySizeThatTheCanvasComesToHave) {
     EXPECT_EQ(cells_after({doubled}).cells, (grid::Shape{600, 400}));
     EXPECT_EQ(cells_after({TurnCanvas{{false, 1}}, ResizeCanvas{0, 0, 20, 50}}).cells,
               (grid::Shape{200, 500}));
+    EXPECT_EQ(cells_after({RotateCanvas{90.0}}).cells, (grid::Shape{200, 300}));
+    EXPECT_EQ(cells_after({RotateCanvas{30.0, true}}).cells, (grid::Shape{300, 200}));
     const RepaintingTerms undone = cells_after({doubled, Undo{}});
     EXPECT_EQ(undone.cells, (grid::Shape{300, 200}));
     EXPECT_EQ(undone.memory_bytes, cells_after({doubled}).memory_bytes) << "meanwhile";

@@ -249,7 +249,7 @@ TEST_F(ProjectRoundTrip, HalfTransparentPicturesComeBack) {
              document::PaintPicture{"Twice", {2, 1, 16, 16}, picture},
              document::TransformLayer{3, {.centre_x_mm = 10, .centre_y_mm = 9, .turn_deg = 31}},
              document::DistortLayer{3, {{2, 2}, 16, 14, {4, 3}, {16, 1}, {19, 17}, {1, 16}}},
-             document::DuplicateLayer{3}, document::MergeDown{4}}) {
+             document::RotateCanvas{7.0}, document::DuplicateLayer{3}, document::MergeDown{4}}) {
         painting.apply(action);
         const Project project{painting.state(), {}};
         expect_equal(saved_and_loaded(project).painting, project.painting);
@@ -335,6 +335,31 @@ TEST_F(ProjectRoundTrip, ACanvasThatWasScaledComesBackAndReplays) {
         document::Painting again(loaded.painting, pool), kept(project.painting, pool);
         for (document::Painting* one : {&again, &kept}) {
             one->apply(document::ScaleCanvas{1.0, 1.0, 0.5});
+            one->advance_tick();
+        }
+        EXPECT_EQ(again.state_hash(), kept.state_hash());
+    }
+}
+
+TEST_F(ProjectRoundTrip, ACanvasThatWasRotatedComesBackAndReplays) {
+    document::Recording recording = busy_session();
+    recording.events.push_back(
+        {recording.end_tick,
+         document::DistortLayer{1, {{5, 5}, 20, 15, {8, 6}, {24, 3}, {30, 22}, {4, 20}}}});
+    recording.events.push_back({recording.end_tick, document::RotateCanvas{-21.5}});
+    recording.end_tick += 20;
+    for (const char* support : {"medium linen", "gesso panel"}) {
+        recording.canvas.support = support;
+        const auto painting = played(recording, recording.end_tick, pool);
+        const Project project = project_of(*painting, recording);
+        const LoadedProject loaded = saved_and_loaded(project);
+        expect_equal(loaded.painting, project.painting);
+        EXPECT_THAT(loaded.notes, IsEmpty()) << "the cloth that is made anew is the same";
+        EXPECT_EQ(played(loaded.strokes, loaded.strokes.end_tick, pool)->state_hash(),
+                  painting->state_hash());
+        document::Painting again(loaded.painting, pool), kept(project.painting, pool);
+        for (document::Painting* one : {&again, &kept}) {
+            one->apply(document::RotateCanvas{4.0, true});
             one->advance_tick();
         }
         EXPECT_EQ(again.state_hash(), kept.state_hash());

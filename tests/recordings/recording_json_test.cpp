@@ -119,6 +119,8 @@ Recording everything() {
         {45, TurnCanvas{{true, 2}}},
         {45, TurnCanvas{{false, 1}}},
         {45, ScaleCanvas{1.25, 0.5, 2.5}},
+        {45, RotateCanvas{-7.25}},
+        {45, RotateCanvas{352, true}},
         {45, InvertSelection{}},
         {45, TransformLayer{2, {10, 12.5, -3, 4, 30, 0.5, -2}}},
         {45, DistortLayer{2, {{10, 12.5}, 30, 20, {12, 11}, {38, 12.5}, {41.25, 34}, {-8, 32}}}},
@@ -470,6 +472,8 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         recording.events = {{0, PeelMasking{}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
         recording.events = {{0, LayTexture{}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
+        recording.events = {{0, RotateCanvas{7.0}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
         recording.events = {{0, DistortLayer{1, {{0, 0}, 2, 2, {0, 0}, {2, 0}, {3, 3}, {0, 2}}}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;

@@ -2,6 +2,7 @@
 
 #include "appearance/picture_view.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
+#include "dialogs/rotate_dialog.hpp"
 #include "dialogs/scale_dialog.hpp"
 #include "panels/parts/status_readings.hpp"
 #include "session/layer_painter.hpp"
@@ -55,6 +56,7 @@ CanvasSizing::CanvasSizing(Studio& studio, Loading& loading, panels::StatusReadi
     studio_.commands().on(Command::CanvasSize, [this](bool) { ask(); });
     studio_.commands().on(Command::ScaleImage, [this](bool) { ask_for_scale(); });
     studio_.commands().on(Command::CropToSelection, [this](bool) { crop_to_selection(); });
+    studio_.commands().on(Command::RotateImage, [this](bool) { ask_for_rotation(); });
     for (const auto& [command, orientation] : kTurns)
         studio_.commands().on(command, [this, to = orientation](bool) { turn(to); });
     connect(&studio_, &Studio::session_begun, this, [this] { shown_bare_.reset(); });
@@ -95,6 +97,14 @@ void CanvasSizing::ask_for_scale() {
     if (dialog.exec() == QDialog::Accepted) studio_.easel().scale_canvas(dialog.wanted());
 }
 
+void CanvasSizing::ask_for_rotation() {
+    if (is_canvas_lent(studio_)) return;
+    studio_.catch_up();
+    const auto painting = studio_.session().snapshot();
+    dialogs::RotateDialog dialog(painting->bare->settings, small_picture(*painting), &studio_.window());
+    if (dialog.exec() == QDialog::Accepted) studio_.easel().rotate_canvas(dialog.wanted());
+}
+
 void CanvasSizing::resize(const document::ResizeCanvas& resize) {
     loading_.begin(
         tr("Making the canvas"), [this, resize, bare = studio_.session().snapshot()->bare](const auto&) {
@@ -119,12 +129,14 @@ void CanvasSizing::put_up(const document::ResizedCanvas& canvas) {
                        .arg(shown.height_mm));
 }
 
-/// Where the same canvas was cut, made larger, turned or scaled, guides follow what lies on it. How far
-/// its middle came to lie from where it was is told, unless it was scaled.
-/// What a recording does to them that is being played stands in the recording.
+/// Where the same canvas was cut, made larger, turned, rotated or scaled, guides follow what lies on it.
+/// How far its middle came to lie from where it was is told, unless it was scaled. What a recording does
+/// to them that is being played stands in the recording.
 std::optional<glm::dvec2> CanvasSizing::follow(std::shared_ptr<const document::BareCanvas> bare) {
     const auto before = std::exchange(shown_bare_, std::move(bare));
-    if (before == nullptr || before->settings == shown_bare_->settings) return std::nullopt;
+    if (before == nullptr ||
+        (before->settings == shown_bare_->settings && before->rotated_deg == shown_bare_->rotated_deg))
+        return std::nullopt;
     const tools::CanvasMove move = tools::move_between(*before, *shown_bare_);
     Q_EMIT resized();
     if (move != tools::CanvasMove{} && !studio_.easel().brush_is_lent()) {

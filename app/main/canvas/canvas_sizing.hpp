@@ -35,6 +35,7 @@ class CanvasSizing : public QObject {
     void ask();
     void crop_to_selection();
     void turn(const core::Orientation& turn);
+    void ask_for_rotation();
     void put_up(const document::ResizedCanvas& canvas);
     std::optional<glm::dvec2> follow(std::shared_ptr<const document::BareCanvas> bare);
 

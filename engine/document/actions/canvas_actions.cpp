@@ -3,6 +3,7 @@
 #include "document/living_painting.hpp"
 #include "layers/turning.hpp"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -23,6 +24,15 @@ SharedTracing scaled(const layers::Tracing& tracing, const ScaleCanvas& scale) {
     place = {scale.scale_x * place.x_mm, scale.scale_y * place.y_mm, scale.scale_x * place.width_mm,
              scale.scale_y * place.height_mm};
     return elsewhere;
+}
+
+void resample(const layers::Resampling& resampling, std::shared_ptr<const BareCanvas> bare,
+              LivingPainting& painting) {
+    const brush::Contents lay = painting.contents_of(painting.canvas.paint());
+    painting.canvas.resample(resampling, std::move(bare));
+    painting.book(lay, painting.contents_of(painting.canvas.paint()));
+    painting.value.selection = resampled(painting.value.selection, resampling);
+    painting.mask({resampled(painting.value.masking.cells, resampling)});
 }
 
 }  // namespace
@@ -80,16 +90,25 @@ bool changes_anything(const ScaleCanvas& scale, const LivingPainting&) {
 
 void apply(const ScaleCanvas& scale, LivingPainting& painting) {
     PaintingValue& value = painting.value;
-    const CanvasSettings& before = value.bare->settings;
-    const layers::Resampling resampling = resampling_of(scale, before);
+    const layers::Resampling resampling = resampling_of(scale, value.bare->settings);
     auto bare = std::make_shared<const BareCanvas>(scaled(scale, *value.bare, painting.pool));
     painting.forget_run_off();
-    const brush::Contents lay = painting.contents_of(painting.canvas.paint());
-    painting.canvas.scale(resampling, std::move(bare));
-    painting.book(lay, painting.contents_of(painting.canvas.paint()));
-    value.selection = resampled(value.selection, resampling);
-    painting.mask({resampled(value.masking.cells, resampling)});
+    resample(resampling, std::move(bare), painting);
     if (value.tracing) value.tracing = scaled(*value.tracing, scale);
+}
+
+bool changes_anything(const RotateCanvas& rotate, const LivingPainting&) {
+    return std::remainder(rotate.turn_deg, 360.0) != 0.0;
+}
+
+void apply(const RotateCanvas& rotate, LivingPainting& painting) {
+    PaintingValue& value = painting.value;
+    const CanvasSettings before = value.bare->settings;
+    auto bare = std::make_shared<const BareCanvas>(rotated(rotate, *value.bare, painting.pool));
+    resample(resampling_of(rotate, before), std::move(bare), painting);
+    if (value.tracing)
+        value.tracing = std::make_shared<const layers::Tracing>(
+            layers::rotated(*value.tracing, rotation_of(rotate, before)));
 }
 
 }  // namespace pastoso::document

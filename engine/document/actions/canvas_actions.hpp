@@ -48,7 +48,17 @@ struct ScaleCanvas {
 };
 inline constexpr double kLeastCanvasScale = 0.05, kMostCanvasScale = 20.0;
 
-using CanvasActions = ActionList<TiltCanvas, ResizeCanvas, TurnCanvas, ScaleCanvas>;
+/// Turns what lies on the canvas about its middle by any angle: layers, selection and tracing. The
+/// canvas becomes the upright one around it, or keeps its size; what comes to lie beyond it is wiped
+/// off, what is beside it is bare. The cloth stays upright, an image is turned too. Guides, symmetry and
+/// fan stay at their millimetres.
+struct RotateCanvas {
+    double turn_deg = 0.0;  ///< clockwise
+    bool keeps_size = false;
+    friend bool operator==(const RotateCanvas&, const RotateCanvas&) = default;
+};
+
+using CanvasActions = ActionList<TiltCanvas, ResizeCanvas, TurnCanvas, ScaleCanvas, RotateCanvas>;
 
 void put_in_hand(const TiltCanvas& tilt, PaintingValue& painting);
 TiltCanvas in_hand(std::type_identity<TiltCanvas>, const PaintingValue& painting);
@@ -59,6 +69,8 @@ UndoStep undo_step(const TurnCanvas& turn, const LivingPainting& painting);
 void apply(const TurnCanvas& turn, LivingPainting& painting);
 bool changes_anything(const ScaleCanvas& scale, const LivingPainting& painting);
 void apply(const ScaleCanvas& scale, LivingPainting& painting);
+bool changes_anything(const RotateCanvas& rotate, const LivingPainting& painting);
+void apply(const RotateCanvas& rotate, LivingPainting& painting);
 
 template <>
 struct Table<TiltCanvas> {
@@ -129,6 +141,23 @@ struct Table<ScaleCanvas> {
         visit(Number<At<&ScaleCanvas::finer>>{"finer", core::Pattern<0>("change of the resolution"), "",
                                               kLeastCanvasScale, kMostCanvasScale, Optional,
                                               "cells a millimetre, times those there were"});
+    }
+};
+
+template <>
+struct Table<RotateCanvas> {
+    static constexpr ActionTraits kTraits = possible_change(
+        "rotate_canvas", 14, step_name("Painting rotated"),
+        "what lies on the canvas is turned about its middle, and the canvas becomes the "
+        "upright one around it; paint keeps its thickness "
+        "([0088](decisions/0088-perspective-and-rotation.md)). Millimetres count from the "
+        "new corner ever after");
+    static constexpr void fields(auto&& visit) {
+        visit(Number<At<&RotateCanvas::turn_deg>>{"turn_deg", core::Pattern<0>("turn of the canvas"),
+                                                  core::Pattern<0>("degrees"), -360.0, 360.0,
+                                                  Presence::Required, "clockwise"});
+        visit(Truth<At<&RotateCanvas::keeps_size>>{"keeps_size", "size kept", Presence::Optional,
+                                                   "of the canvas; what lies beyond it is wiped off"});
     }
 };
 
