@@ -5,6 +5,7 @@
 #include "core/memory.hpp"
 #include "dialogs/canvas_size_preview.hpp"
 #include "document/canvas.hpp"
+#include "tools/canvas_resizing.hpp"
 
 #include <cmath>
 
@@ -25,7 +26,7 @@ double in_hundredths(double value) {
 }  // namespace
 
 RotateDialog::RotateDialog(const document::CanvasSettings& canvas, const QImage& picture,
-                           QWidget* parent)
+                           const std::optional<brush::Ruler>& ruler, QWidget* parent)
     : GrowingDialog(parent),
       canvas_(canvas),
       preview_(new CanvasSizePreview(picture, {canvas.width_mm, canvas.height_mm})),
@@ -48,11 +49,22 @@ RotateDialog::RotateDialog(const document::CanvasSettings& canvas, const QImage&
     connect(turn_, &QDoubleSpinBox::valueChanged, this, &RotateDialog::show_outcome);
     connect(keeps_size_, &QCheckBox::toggled, this, &RotateDialog::show_outcome);
 
+    auto* straighten = new QPushButton(tr("Put the &ruler straight"));
+    straighten->setObjectName(QStringLiteral("straighten"));
+    straighten->setAutoDefault(false);
+    straighten->setEnabled(ruler.has_value());
+    straighten->setToolTip(ruler ? tr("Turns until the ruler is level or upright, whichever is nearer")
+                                 : tr("Lay a ruler along the horizon first"));
+    if (ruler)
+        connect(straighten, &QPushButton::clicked, this,
+                [this, turn_deg = tools::straightening_deg(*ruler)] { turn_->setValue(turn_deg); });
+
     auto* form = new QFormLayout(this);
     form->setContentsMargins(18, 18, 18, 14);
     form->setSpacing(9);
     form->addRow(preview_);
     form->addRow(tr("Turn"), turn_);
+    form->addRow(QString(), straighten);
     form->addRow(QString(), keeps_size_);
     summary_->setWordWrap(true);
     summary_->setObjectName(QStringLiteral("summary"));

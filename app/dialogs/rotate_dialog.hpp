@@ -4,6 +4,8 @@
 #include "dialogs/growing_dialog.hpp"
 #include "document/events.hpp"
 
+#include <optional>
+
 #include <QImage>
 
 class QCheckBox;
@@ -18,9 +20,10 @@ class CanvasSizePreview;
 class RotateDialog : public GrowingDialog {
     Q_OBJECT
   public:
-    /// `picture` is the painting, small.
+    /// `picture` is the painting, small. With a ruler a button turns as far as it takes to put that
+    /// straight.
     RotateDialog(const document::CanvasSettings& canvas, const QImage& picture,
-                 QWidget* parent = nullptr);
+                 const std::optional<brush::Ruler>& ruler, QWidget* parent = nullptr);
 
     document::RotateCanvas wanted() const;
 

@@ -153,6 +153,11 @@ glm::dvec2 shift_of_middle_mm(const document::CanvasSettings& before, const Canv
     return move(middle_mm) - middle_mm;
 }
 
+double straightening_deg(const brush::Ruler& ruler) {
+    const double angle = std::atan2(ruler.y2_mm - ruler.y1_mm, ruler.x2_mm - ruler.x1_mm);
+    return -std::remainder(core::degrees(angle), 90.0);
+}
+
 Hand moved_along(Hand hand, const CanvasMove& move) {
     hand.symmetry = moved(hand.symmetry, move);
     if (hand.ruler) hand.ruler = moved(*hand.ruler, move);

@@ -57,6 +57,10 @@ CanvasMove move_between(const document::BareCanvas& before, const document::Bare
 /// How much further from the corner the middle of the canvas came to lie.
 glm::dvec2 shift_of_middle_mm(const document::CanvasSettings& before, const CanvasMove& move);
 
+/// How far everything has to be turned, clockwise, for the ruler to be level or upright, whichever is
+/// nearer: -45 to 45.
+double straightening_deg(const brush::Ruler& ruler);
+
 /// Guides, symmetry and fan where they lay on what was painted.
 Hand moved_along(Hand hand, const CanvasMove& move);
 

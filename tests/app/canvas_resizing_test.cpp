@@ -129,6 +129,19 @@ TEST(CanvasResizing, GuidesAreRotatedAboutTheMiddleAndBack) {
     EXPECT_NEAR(again.symmetry.axis_deg, 45.0, 1e-9);
 }
 
+TEST(CanvasResizing, ARulerIsPutLevelOrUpright) {
+    EXPECT_NEAR(straightening_deg({10.0, 20.0, 30.0, 20.0}), 0.0, 1e-9);
+    const double shallow_deg = core::degrees(std::atan(0.1));
+    EXPECT_NEAR(straightening_deg({0.0, 0.0, 20.0, 2.0}), -shallow_deg, 1e-9) << "it falls to the right";
+    EXPECT_NEAR(straightening_deg({20.0, 2.0, 0.0, 0.0}), -shallow_deg, 1e-9) << "drawn to the left";
+    EXPECT_NEAR(straightening_deg({0.0, 0.0, 20.0, -2.0}), shallow_deg, 1e-9);
+    EXPECT_NEAR(straightening_deg({0.0, 0.0, 2.0, 20.0}), shallow_deg, 1e-9) << "nearly upright";
+    Hand hand;
+    hand.ruler = brush::Ruler{3.0, 4.0, 25.0, 11.0};
+    const Hand moved = moved_along(hand, {.rotated_deg = straightening_deg(*hand.ruler)});
+    EXPECT_NEAR(moved.ruler->y1_mm, moved.ruler->y2_mm, 1e-9);
+}
+
 /// How far a point lies from an ellipse, in parts of its size.
 double off(const brush::EllipseCurve& ellipse, const glm::dvec2& point) {
     const double turn = core::radians(ellipse.turn_deg);

@@ -401,6 +401,22 @@ TEST_F(RotatedImage, ThePaintingIsTurnedWithItsGuidesAndUndoBringsItBack) {
     EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
 }
 
+TEST_F(RotatedImage, ARulerAlongTheHorizonIsPutStraight) {
+    in_rotate_dialog([&](dialogs::RotateDialog& dialog) {
+        EXPECT_FALSE(child<QPushButton>(dialog, "straighten").isEnabled()) << "there is no ruler yet";
+    });
+    give(Command::Ruler);
+    studio().easel().move_ruler({10.0, 20.0, 50.0, 22.0});
+    settle();
+    in_rotate_dialog([&](dialogs::RotateDialog& dialog) {
+        child<QPushButton>(dialog, "straighten").click();
+        EXPECT_EQ(child<QDoubleSpinBox>(dialog, "turn").value(), -2.86);
+        rotate_ok(dialog).click();
+    });
+    const brush::Ruler ruler = *studio().easel().hand().ruler;
+    EXPECT_NEAR(ruler.y2_mm, ruler.y1_mm, 0.01);
+}
+
 TEST_F(RotatedImage, TheDialogSaysWhatBecomesOfTheCanvas) {
     in_rotate_dialog([&](dialogs::RotateDialog& dialog) {
         EXPECT_FALSE(rotate_ok(dialog).isEnabled());
