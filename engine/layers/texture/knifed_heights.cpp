@@ -46,8 +46,8 @@ class Pass {
     Pass(std::uint32_t seed, std::int32_t column, std::int32_t row)
         : stream_(core::scramble(core::scramble(seed + static_cast<std::uint32_t>(row)) +
                                  static_cast<std::uint32_t>(column))),
-          middle_along_(kPitchAlong * (column + draw(0))),
-          middle_across_(kPitchAcross * (row + draw(1))),
+          middle_along_(kPitchAlong * (column + double{draw(0)})),
+          middle_across_(kPitchAcross * (row + double{draw(1)})),
           sine_(kMostTurn * (2.0 * draw(2) - 1.0)),
           cosine_(std::sqrt(1.0 - sine_ * sine_)),
           level_(0.22F + 0.3F * draw(3)),
