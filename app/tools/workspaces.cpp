@@ -31,11 +31,15 @@ PanelArrangement sketch() {
                        {});
 }
 
+/// On a screen 800 pixels high six tools, twelve tubes and all of the easel are seen.
+std::vector<PanelTabs> tools_paints_and_easel() {
+    return {alone("brushes_panel", 378), alone("paints_panel", 141), alone("easel_panel", 171)};
+}
+
 /// The tool, its colour and its paint need more than a few layers do.
 PanelArrangement oil() {
     return arrangement(
-        {.tabs = {alone("brushes_panel", 340), alone("paints_panel", 145), alone("easel_panel", 205)},
-         .breadth_px = kToolsBreadth_px},
+        {.tabs = tools_paints_and_easel(), .breadth_px = kToolsBreadth_px},
         {.tabs = {{.panels = {"tool_panel", "colour_panel", "physics_panel", "light_panel"},
                    .raised = 0,
                    .length_px = 500},
@@ -45,13 +49,12 @@ PanelArrangement oil() {
 }
 
 PanelArrangement at_home() {
-    return arrangement(
-        {.tabs = {alone("brushes_panel", 340), alone("paints_panel", 145), alone("easel_panel", 205)}},
-        {.tabs = {
-             alone("well_panel", 400),
-             {.panels = {"tool_panel", "colour_panel", "physics_panel", "guides_panel", "light_panel"}},
-             {.panels = {"layers_panel", "tracing_panel", "history_panel", "navigator_panel",
-                         "recorder_panel", "messages_panel"}}}});
+    return arrangement({.tabs = tools_paints_and_easel()},
+                       {.tabs = {alone("well_panel", 400),
+                                 {.panels = {"tool_panel", "colour_panel", "physics_panel",
+                                             "guides_panel", "light_panel"}},
+                                 {.panels = {"layers_panel", "tracing_panel", "history_panel",
+                                             "navigator_panel", "recorder_panel", "messages_panel"}}}});
 }
 
 PanelArrangement mixing() {

@@ -55,12 +55,12 @@ TEST_F(LightsWindow, TheNumbersMoveTheLampOverCanvasAndWell) {
     }
 }
 
-TEST_F(LightsWindow, TheIlluminantIsOneWithTheEasels) {
-    choose("panel_illuminant", 2);
+TEST_F(LightsWindow, TheIlluminantIsTheOneOfTheMenu) {
+    choose("illuminant", 2);
     EXPECT_EQ(canvas().viewing(), pigment::viewing_under(pigment::find_illuminant("A")));
-    EXPECT_EQ(find<QComboBox>("illuminant").currentData().toString(), QStringLiteral("A"));
+    EXPECT_TRUE(action(Command::LightA)->isChecked());
     action(Command::LightLed)->trigger();
-    EXPECT_EQ(find<QComboBox>("panel_illuminant").currentData().toString(), QStringLiteral("LED"));
+    EXPECT_EQ(find<QComboBox>("illuminant").currentData().toString(), QStringLiteral("LED"));
 }
 
 TEST_F(LightsWindow, VarnishIsLookedThroughAndTakenOff) {

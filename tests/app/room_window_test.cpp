@@ -3,6 +3,7 @@
 #include "appearance/shown_time.hpp"
 #include "main/program/language.hpp"
 #include "main/window_parts.hpp"
+#include "panels/paint/paint_panel.hpp"
 #include "panels/parts/gallery.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "start/start_page.hpp"
@@ -10,8 +11,10 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLayout>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
@@ -134,25 +137,73 @@ TEST_F(RoomWindow, TheStartPageShowsAllItsCanvases) {
     }
 }
 
-TEST_F(RoomWindow, NoNameOfAToolOrAPaintIsCut) {
+TEST_F(RoomWindow, NoNameOfAToolIsCut) {
     for (const char* language : kLanguages) {
         SCOPED_TRACE(language);
         open_small(language);
-        for (QListWidget* list : {static_cast<QListWidget*>(window().findChild<panels::BrushList*>()),
-                                  window().findChild<QListWidget*>(QStringLiteral("paints"))}) {
-            list->doItemsLayout();
-            for (int row = 0; row < list->count(); ++row) {
-                const QListWidgetItem* item = list->item(row);
-                if (item->icon().isNull()) continue;  // the heading of a family has the whole row
-                const QRect place = list->visualItemRect(item);
-                constexpr int kEdges = 20;
-                const int width = place.width() - list->iconSize().width() - kEdges;
-                const QRect words = QFontMetrics(list->font())
-                                        .boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap,
-                                                      item->text());
-                EXPECT_LE(words.height(), place.height()) << item->text().toStdString();
-                EXPECT_LE(place.right(), list->viewport()->width()) << item->text().toStdString();
-            }
+        auto* list = window().findChild<panels::BrushList*>();
+        list->doItemsLayout();
+        for (int row = 0; row < list->count(); ++row) {
+            const QListWidgetItem* item = list->item(row);
+            if (item->icon().isNull()) continue;  // the heading of a family has the whole row
+            const QRect place = list->visualItemRect(item);
+            constexpr int kEdges = 20;
+            const int width = place.width() - list->iconSize().width() - kEdges;
+            const QRect words =
+                QFontMetrics(list->font())
+                    .boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, item->text());
+            EXPECT_LE(words.height(), place.height()) << item->text().toStdString();
+            EXPECT_LE(place.right(), list->viewport()->width()) << item->text().toStdString();
+        }
+    }
+}
+
+TEST_F(RoomWindow, NoNameOfATubeIsCut) {
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        open_small(language);
+        auto* panel = window().findChild<panels::PaintPanel*>();
+        const auto* name = window().findChild<QLabel*>(QStringLiteral("tube_name"));
+        for (const QString& tube : panel->tubes()) {
+            panel->choose(tube);
+            ASSERT_FALSE(name->text().isEmpty());
+            const QRect words = name->fontMetrics().boundingRect(QRect(0, 0, name->width(), 1000),
+                                                                 Qt::TextWordWrap, name->text());
+            EXPECT_LE(words.height(), name->height()) << name->text().toStdString();
+            EXPECT_LE(words.width(), name->width()) << name->text().toStdString();
+        }
+    }
+}
+
+/// Rows or cells of a list that are seen whole.
+int seen_whole(const QListWidget& list) {
+    int seen = 0;
+    for (int row = 0; row < list.count(); ++row)
+        seen += static_cast<int>(!list.item(row)->icon().isNull() &&
+                                 list.viewport()->rect().contains(list.visualItemRect(list.item(row))));
+    return seen;
+}
+
+TEST_F(RoomWindow, ShowsSixToolsAndTwelveTubesWithoutABarInABar) {
+    constexpr int kTools = 6, kTubes = 12;
+    for (const QSize& size : {QSize(1280, 800), kSmallScreen}) {
+        open_another();
+        window().resize(size);
+        wait_for([&] { return window().size() == size; });
+        QApplication::processEvents();
+        auto& tools = *window().findChild<panels::BrushList*>();
+        auto& tubes = *window().findChild<QListWidget*>(QStringLiteral("paints"));
+        tools.scrollToTop();
+        tubes.scrollToTop();
+        if (size != kSmallScreen) {
+            EXPECT_GE(seen_whole(tools), kTools);
+            EXPECT_GE(seen_whole(tubes), kTubes);
+        }
+        for (const char* name : {"brushes_panel", "paints_panel"}) {
+            const auto* dock = window().findChild<QDockWidget*>(QString::fromLatin1(name));
+            const auto* area = qobject_cast<const QScrollArea*>(dock->widget());
+            ASSERT_NE(area, nullptr);
+            EXPECT_FALSE(area->verticalScrollBar()->isVisible()) << name << ", " << size.width();
         }
     }
 }

@@ -108,7 +108,7 @@ TEST_F(SwatchesWindow, MarkTubesInTheInkOfTheTheme) {
     studio().choose_paint({{{"PR108", 1.0}}, 1.0});
     for (const auto theme : {appearance::Theme::Light, appearance::Theme::Dark}) {
         appearance::apply_theme(*qApp, theme);
-        EXPECT_EQ(pixel_of_tube(50, 9), appearance::colours().text);
+        EXPECT_EQ(pixel_of_tube(40, 9), appearance::colours().text);
     }
     appearance::apply_theme(*qApp, before);
 }

@@ -43,7 +43,6 @@ void LightChoice::use(const QString& name_or_path) {
         name_ = name_or_path;
         colour_views();
     });
-    stand_->show_illuminant(name_);
     panel_->show_illuminant(name_);
     show();
 }
@@ -121,8 +120,6 @@ void LightChoice::connect_commands() {
 }
 
 void LightChoice::connect_panels() {
-    connect(stand_, &panels::EaselPanel::illuminant_chosen, this, &LightChoice::use);
-    connect(stand_, &panels::EaselPanel::illuminant_file_wanted, this, &LightChoice::ask);
     connect(stand_, &panels::EaselPanel::light_moved, this, &LightChoice::move_lamp);
     connect(panel_, &panels::LightPanel::illuminant_chosen, this, &LightChoice::use);
     connect(panel_, &panels::LightPanel::illuminant_file_wanted, this, &LightChoice::ask);

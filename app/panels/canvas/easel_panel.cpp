@@ -1,6 +1,5 @@
 #include "panels/canvas/easel_panel.hpp"
 
-#include "panels/canvas/illuminant_box.hpp"
 #include "panels/canvas/light_dial.hpp"
 #include "panels/canvas/tilt_dial.hpp"
 #include "panels/parts/labels.hpp"
@@ -86,7 +85,6 @@ EaselPanel::EaselPanel(QWidget* parent)
     : QWidget(parent),
       tilt_(new TiltDial),
       light_(new LightDial),
-      illuminant_(new IlluminantBox),
       drying_(new QSlider(Qt::Horizontal)),
       drying_reading_(new QLabel) {
     auto* rows = new QVBoxLayout(this);
@@ -95,7 +93,6 @@ EaselPanel::EaselPanel(QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     rows->addLayout(row);
-    rows->addWidget(illuminant_row());
     rows->addWidget(drying_row());
     tilt_boxes_ = {
         degrees_box("tilt", tr("How steeply the canvas stands"), 0.0, tilt_->full_angle_deg()),
@@ -116,8 +113,6 @@ EaselPanel::EaselPanel(QWidget* parent)
             [this](double elevation_deg) { set_light(elevation_deg, light_->light_azimuth_deg()); });
     connect(light_boxes_.azimuth, &QDoubleSpinBox::valueChanged, this,
             [this](double azimuth_deg) { set_light(light_->elevation_deg(), azimuth_deg); });
-    connect(illuminant_, &IlluminantBox::chosen, this, &EaselPanel::illuminant_chosen);
-    connect(illuminant_, &IlluminantBox::file_wanted, this, &EaselPanel::illuminant_file_wanted);
     connect(drying_, &QSlider::valueChanged, this, [this](int stop) {
         write_readings();
         Q_EMIT drying_changed(kDryingStops[stop].speed);
@@ -159,12 +154,6 @@ void EaselPanel::tell_light() {
     Q_EMIT light_moved(light_->elevation_deg(), light_->light_azimuth_deg());
 }
 
-QWidget* EaselPanel::illuminant_row() {
-    illuminant_->setObjectName(QStringLiteral("illuminant"));
-    let_shrink(illuminant_);
-    return headed_row(tr("Seen in"), illuminant_);
-}
-
 QWidget* EaselPanel::drying_row() {
     auto* widget = new QWidget;
     auto* layout = new QVBoxLayout(widget);
@@ -181,10 +170,6 @@ QWidget* EaselPanel::drying_row() {
     layout->addWidget(headed_row(tr("Drying"), drying_reading_));
     layout->addWidget(drying_);
     return widget;
-}
-
-void EaselPanel::show_illuminant(const QString& name_or_path) {
-    illuminant_->show_illuminant(name_or_path);
 }
 
 void EaselPanel::show_drying(double speed) {

@@ -12,7 +12,6 @@ class QSlider;
 namespace pastoso::panels {
 
 class DirectionDial;
-class IlluminantBox;
 class LightDial;
 class TiltDial;
 
@@ -27,18 +26,12 @@ class EaselPanel : public QWidget {
     /// Shows where the light comes from, without a signal.
     void show_light(const shade::Lighting& lighting);
 
-    /// Shows in which light the painting is seen, by the name of a bundled one or the path of a file,
-    /// without a signal.
-    void show_illuminant(const QString& name_or_path);
-
     /// Shows how fast paint dries, without a signal.
     void show_drying(double speed);
 
   Q_SIGNALS:
     void tilted(double tilt_deg, double direction_deg);
     void light_moved(double elevation_deg, double azimuth_deg);
-    void illuminant_chosen(const QString& name_or_path);
-    void illuminant_file_wanted();
     void drying_changed(double speed);
 
   private:
@@ -52,14 +45,12 @@ class EaselPanel : public QWidget {
     void set_light(double elevation_deg, double azimuth_deg);
     void tell_tilt();
     void tell_light();
-    QWidget* illuminant_row();
     QWidget* drying_row();
     void write_readings();
 
     TiltDial* tilt_ = nullptr;
     LightDial* light_ = nullptr;
     DirectionBoxes tilt_boxes_, light_boxes_;
-    IlluminantBox* illuminant_ = nullptr;
     QSlider* drying_ = nullptr;
     QLabel* drying_reading_ = nullptr;
 };

@@ -49,7 +49,7 @@ LightPanel::LightPanel(QWidget* parent)
     column->setSpacing(12);
     column->addWidget(lamp_section());
     auto* seen_in = new QWidget;
-    illuminant_->setObjectName(QStringLiteral("panel_illuminant"));
+    illuminant_->setObjectName(QStringLiteral("illuminant"));
     section(seen_in, tr("Seen in"))->addWidget(illuminant_);
     column->addWidget(varnish_section());
     column->addWidget(seen_in);

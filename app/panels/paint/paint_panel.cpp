@@ -12,24 +12,55 @@
 #include <algorithm>
 
 #include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 namespace pastoso::panels {
 namespace {
 
 /// The paint, drawn out over white and black, and with white; beside them the mark of how well it hides.
-constexpr QSize kIcon(56, 18);
-constexpr double kPaint_px = 15.0, kDrawdown_px = 18.0, kSwatch_px = 43.0, kMark_px = 8.0;
+constexpr QSize kIcon(46, 18);
+constexpr double kPaint_px = 13.0, kDrawdown_px = 14.0, kSwatch_px = 35.0, kMark_px = 8.0;
 
-/// Three paints on the lowest of screens; higher ones show more of them.
-constexpr int kListHeight = 86;
+/// Four of these stand beside one another in the narrowest of panels.
+constexpr QSize kCell(50, 22);
+
+/// One row of tubes on the lowest of screens; higher ones show more of them.
+constexpr int kLeastGridHeight = 28;
 
 /// Of an entry: its place among all paints.
 constexpr int kPlace = Qt::UserRole + 1;
+
+/// A tube is its swatch alone: its name stands above the grid and in the hint.
+class TubeCell : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        const bool chosen = option.state.testFlag(QStyle::State_Selected);
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        if (chosen || option.state.testFlag(QStyle::State_MouseOver)) {
+            const appearance::ThemeColours& theme = appearance::colours();
+            painter->setPen(Qt::NoPen);
+            painter->setBrush(chosen ? theme.chosen : theme.hovered);
+            painter->drawRoundedRect(option.rect, 3.0, 3.0);
+        }
+        index.data(Qt::DecorationRole)
+            .value<QIcon>()
+            .paint(painter, option.rect, Qt::AlignCenter, chosen ? QIcon::Selected : QIcon::Normal);
+        painter->restore();
+    }
+
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return kCell; }
+};
 
 void draw_swatch(QPainter& painter, const QRectF& place, const QColor& paint, const QColor& tint,
                  const tools::Drawdown& drawdown) {
@@ -80,14 +111,9 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
       paints_(paints),
       list_(new ChoiceList),
       sets_(new TubeMenu),
+      name_(new QLabel),
       shown_(paints.size()) {
-    list_->setObjectName(QStringLiteral("paints"));
-    list_->setAccessibleName(tr("Paint"));
-    list_->setIconSize(kIcon);
-    list_->setMinimumHeight(kListHeight);
-    list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
-    list_->let_arrange();
-    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    make_grid();
     QStringList tubes;
     for (const PaintEntry& paint : paints)
         tubes += paint.pigment;
@@ -98,10 +124,41 @@ PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)
     connect(list_, &ChoiceList::arranged, this, &PaintPanel::arranged);
     connect(list_, &QWidget::customContextMenuRequested, this, &PaintPanel::offer_sets);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(sets_, 0, Qt::AlignRight);
+    column->setSpacing(4);
+    column->addWidget(make_head());
     column->addWidget(list_, 1);
     connect(&appearance::screen_colours(), &appearance::ScreenColours::changed, this,
             &PaintPanel::draw_icons);
+}
+
+void PaintPanel::make_grid() {
+    list_->setObjectName(QStringLiteral("paints"));
+    list_->setAccessibleName(tr("Paint"));
+    list_->setIconSize(kIcon);
+    list_->setItemDelegate(new TubeCell(list_));
+    list_->setFlow(QListView::LeftToRight);
+    list_->setWrapping(true);
+    list_->setMinimumHeight(kLeastGridHeight);
+    list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
+    list_->let_arrange();
+    keep_own_keys(list_, {Qt::Key_Left, Qt::Key_Right});
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+}
+
+/// Beside the button there is room for a name in two lines.
+QWidget* PaintPanel::make_head() {
+    constexpr int kLines = 2;
+    name_->setObjectName(QStringLiteral("tube_name"));
+    name_->setWordWrap(true);
+    name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    name_->setFixedHeight(kLines * fontMetrics().lineSpacing());
+    auto* head = new QWidget;
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(name_, 1);
+    row->addWidget(sets_);
+    return head;
 }
 
 void PaintPanel::show_tubes(const QStringList& tubes) {
@@ -177,11 +234,13 @@ void PaintPanel::show_swatches(const tools::SwatchView& view) {
 
 void PaintPanel::show_paint(const QString& pigment) {
     in_hand_ = pigment;
+    name_->clear();
     list_->setCurrentItem(nullptr);
     for (int row = 0; row < list_->count(); ++row) {
         if (list_->item(row)->data(Qt::UserRole).toString() != pigment) continue;
         list_->setCurrentRow(row);
         list_->scrollToItem(list_->item(row));
+        name_->setText(list_->item(row)->text());
     }
 }
 

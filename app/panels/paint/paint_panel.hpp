@@ -11,6 +11,7 @@
 #include <QStringList>
 #include <QWidget>
 
+class QLabel;
 class QListWidgetItem;
 class QPoint;
 
@@ -70,12 +71,15 @@ class PaintPanel : public QWidget {
     void draw_icons();
     void draw(QListWidgetItem& item) const;
     static QIcon icon_of(const Colours& colours, double pixel_ratio);
+    void make_grid();
+    QWidget* make_head();
     void offer_sets(const QPoint& place);
 
     std::vector<PaintEntry> paints_;
     tools::SwatchView view_;
     ChoiceList* list_ = nullptr;
     TubeMenu* sets_ = nullptr;
+    QLabel* name_ = nullptr;  ///< of the tube in hand
     QString in_hand_;
     std::vector<Colours> shown_;  ///< of each paint
 };

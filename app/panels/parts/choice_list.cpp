@@ -14,6 +14,12 @@ namespace {
 /// So much of a row's width is not for words and picture: the style sheet's edges of an entry.
 constexpr int kRowEdges_px = 8;
 
+/// How far an arrow moves an entry, in rows as in grids.
+int places_on(int key) {
+    if (key == Qt::Key_Up || key == Qt::Key_Left) return -1;
+    return key == Qt::Key_Down || key == Qt::Key_Right ? 1 : 0;
+}
+
 /// A row as high as its words are in the width of the list.
 class WrappedRow : public QStyledItemDelegate {
   public:
@@ -47,7 +53,8 @@ ChoiceList::ChoiceList(QWidget* parent) : QListWidget(parent) {
 void ChoiceList::let_arrange() {
     setDragDropMode(QAbstractItemView::InternalMove);
     setDefaultDropAction(Qt::MoveAction);
-    keep_own_keys(this, {Qt::ALT | Qt::Key_Up, Qt::ALT | Qt::Key_Down});
+    keep_own_keys(this, {Qt::ALT | Qt::Key_Up, Qt::ALT | Qt::Key_Down, Qt::ALT | Qt::Key_Left,
+                         Qt::ALT | Qt::Key_Right});
 }
 
 void ChoiceList::dropEvent(QDropEvent* event) {
@@ -68,8 +75,7 @@ void ChoiceList::move_current(int rows) {
 void ChoiceList::keyPressEvent(QKeyEvent* event) {
     const bool moves = event->modifiers().testFlag(Qt::AltModifier) &&
                        dragDropMode() == QAbstractItemView::InternalMove;
-    if (moves && event->key() == Qt::Key_Up) return move_current(-1);
-    if (moves && event->key() == Qt::Key_Down) return move_current(1);
+    if (moves && places_on(event->key()) != 0) return move_current(places_on(event->key()));
     const QListWidgetItem* before = currentItem();
     QListWidget::keyPressEvent(event);
     if (currentItem() != nullptr && currentItem() != before) Q_EMIT taken(currentItem());

@@ -23,7 +23,7 @@ struct BrushEntry {
 QString shown_name(const BrushEntry& entry);
 
 /// Size of the thumbnails, in pixels of the layout.
-inline constexpr QSize kThumbnailSize(84, 30);
+inline constexpr QSize kThumbnailSize(67, 24);
 
 class BrushList : public ChoiceList {
     Q_OBJECT

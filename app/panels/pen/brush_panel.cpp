@@ -36,8 +36,11 @@ double width_from_slider(int position) {
     return std::round(2.0 * width) / 2.0;
 }
 
-/// Two tools on the lowest of screens; higher ones show more of them.
-constexpr int kListHeight = 78;
+/// One tool on the lowest of screens; higher ones show more of them.
+constexpr int kLeastListHeight = 38;
+
+/// Six tools and the heading of a family on a screen 800 pixels high.
+constexpr int kSpacing = 4;
 
 /// Places of the strength's slider.
 constexpr int kSmoothingStep_ms = 5;
@@ -50,7 +53,7 @@ using tools::SteadyMode;
 BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent)
     : QWidget(parent), finder_(new BrushFinder), list_(new BrushList) {
     list_->setAccessibleName(tr("Brush"));
-    list_->setMinimumHeight(kListHeight);
+    list_->setMinimumHeight(kLeastListHeight);
     list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
     connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
     connect(list_, &BrushList::thumbnail_wanted, this, &BrushPanel::want_thumbnail);
@@ -63,6 +66,7 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
     for (QAction* action : own_actions)
         own_buttons.push_back(small_button(action));
     auto* column = section(this, tr("Brush"), own_buttons);
+    column->setSpacing(kSpacing);
     column->addWidget(finder_);
     column->addWidget(list_, 1);
     column->addWidget(make_width_row());
