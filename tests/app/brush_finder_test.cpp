@@ -40,6 +40,30 @@ TEST(BrushFinder, AFolderHoldsItsOwn) {
     EXPECT_THAT(names({Kind::Family, QStringLiteral("Brushes")}), ElementsAre("Flat", "Fan"));
 }
 
+TEST(BrushFinder, FavouritesAndTagsStandInTheirOwnOrderUnderNoHeading) {
+    tools::BrushShelf shelf{{"Palette knife", "Flat"}, {}};
+    tools::set_tag("Fan", "hair", true, shelf);
+    tools::set_tag("Flat", "hair", true, shelf);
+    const auto names_in = [&](const BrushChoice& choice) {
+        std::vector<std::string> list;
+        for (const BrushEntry& entry : chosen_brushes(entries(), shelf, choice)) {
+            list.push_back(entry.name.toStdString());
+            EXPECT_TRUE(entry.family.isEmpty());
+        }
+        return list;
+    };
+    EXPECT_THAT(names_in({Kind::Favourites}), ElementsAre("Palette knife", "Flat"));
+    EXPECT_THAT(names_in({Kind::Tag, QStringLiteral("hair")}), ElementsAre("Fan", "Flat"));
+}
+
+TEST(BrushFinder, EachFamilyStandsInThePaintersOrder) {
+    const tools::BrushShelf shelf{{}, {}, {"Palette knife", "gone", "Fan"}};
+    std::vector<std::string> list;
+    for (const BrushEntry& entry : chosen_brushes(entries(), shelf, {}))
+        list.push_back(entry.name.toStdString());
+    EXPECT_THAT(list, ElementsAre("Fan", "Flat", "Palette knife", "broken.json"));
+}
+
 TEST(BrushFinder, TheLatestComesFirstAndWhatCannotBeTakenIsLeftOut) {
     EXPECT_THAT(names({Kind::Recent}), ElementsAre("Palette knife", "Flat"));
     EXPECT_TRUE(chosen_brushes(entries(), kShelf, {Kind::Recent})[0].family.isEmpty());

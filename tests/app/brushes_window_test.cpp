@@ -6,6 +6,7 @@
 #include "main/window_parts.hpp"
 #include "panels/paint/load_bar.hpp"
 #include "panels/pen/brush_list.hpp"
+#include "panels/pen/brush_panel.hpp"
 #include "panels/pen/curve_editor.hpp"
 
 #include <algorithm>
@@ -492,6 +493,56 @@ TEST_F(BrushLibrary, FavouritesAreKeptAndFollowTheirNames) {
     click(QStringLiteral("Fan 26 \u2605"));
     favourite().trigger();
     EXPECT_EQ(names().size(), 1U);
+}
+
+TEST_F(BrushLibrary, StandsInThePaintersOrderAtTheNextStartToo) {
+    choose_folder(QStringLiteral("Knives and combs"));
+    const std::vector<std::string> shipped = names();
+    ASSERT_GE(shipped.size(), 2U);
+    const auto move = [this](const std::string& name, Qt::Key key) {
+        list().setCurrentItem(listed(QString::fromStdString(name)));
+        QTest::keyClick(&list(), key, Qt::AltModifier);
+        QApplication::processEvents();
+    };
+    move(shipped[1], Qt::Key_Up);
+    std::vector<std::string> moved = shipped;
+    std::swap(moved[0], moved[1]);
+    EXPECT_EQ(names(), moved);
+    start_again();
+    choose_folder(QStringLiteral("Knives and combs"));
+    EXPECT_EQ(names(), moved);
+    choose_folder(QStringLiteral("All"));
+    const std::vector<std::string> all = names();
+    move(moved[0], Qt::Key_Up);
+    EXPECT_EQ(names(), all) << "a tool stays in its family";
+    for (const std::string& name : {shipped[0], shipped[1]}) {
+        click(QString::fromStdString(name));
+        favourite().trigger();
+    }
+    choose_folder(QStringLiteral("Favourites"));
+    const std::vector<std::string> starred = names();
+    move(starred[1], Qt::Key_Up);
+    EXPECT_EQ(names(), (std::vector<std::string>{starred[1], starred[0]}));
+}
+
+TEST_F(BrushLibrary, TagsAreFoldersThatAreFoundAgain) {
+    auto* panel = window().findChild<panels::BrushPanel*>();
+    Q_EMIT panel->tagged(QStringLiteral("Fan 26"), QStringLiteral("grass"), true);
+    Q_EMIT panel->tagged(QStringLiteral("Mine"), QStringLiteral("grass"), true);
+    choose_folder(QStringLiteral("grass"));
+    EXPECT_EQ(names(), (std::vector<std::string>{"Fan 26", "Mine"}));
+    start_again();
+    panel = window().findChild<panels::BrushPanel*>();
+    choose_folder(QStringLiteral("grass"));
+    EXPECT_EQ(names(), (std::vector<std::string>{"Fan 26", "Mine"}));
+    Q_EMIT panel->tagged(QStringLiteral("Fan 26"), QStringLiteral("grass"), false);
+    EXPECT_EQ(names(), std::vector<std::string>{"Mine"});
+    Q_EMIT panel->tagged(QStringLiteral("Mine"), QStringLiteral("grass"), false);
+    const auto* box = window().findChild<QComboBox*>(QStringLiteral("brush_folder"));
+    EXPECT_EQ(box->findText(QStringLiteral("grass")), -1);
+    EXPECT_GT(names().size(), 10U) << "all tools are shown where there is no such tag any more";
+    parts().brush_shelf.set_tag(QStringLiteral("Mine"), QStringLiteral(" "), true);
+    EXPECT_EQ(told(), "A tag needs a name.");
 }
 
 TEST_F(BrushLibrary, TheLatestAreListedFirst) {

@@ -1,4 +1,4 @@
-// The painter's favourite tools and those used last, found again at the next start.
+// The tools as the painter has put them, found again at the next start.
 #pragma once
 
 #include "main/program/remembered_file.hpp"
@@ -9,6 +9,7 @@
 
 namespace pastoso::panels {
 class BrushPanel;
+struct BrushChoice;
 }
 
 namespace pastoso::main {
@@ -24,9 +25,15 @@ class BrushShelving : public QObject {
     void recall();
     void remember();
 
+    /// A tag of blanks is told.
+    void set_tag(const QString& tool, const QString& tag, bool tagged);
+
   private:
     void note(const tools::Hand& hand);
     void set_favourite(bool favourite);
+    void arrange(const panels::BrushChoice& choice, const QStringList& shown);
+    void ask_tag(const QString& tool);
+    void show();
 
     Studio& studio_;
     panels::BrushPanel* brushes_;

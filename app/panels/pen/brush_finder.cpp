@@ -15,31 +15,52 @@ namespace {
 
 using Kind = BrushChoice::Kind;
 
-constexpr int kFamilyRole = Qt::UserRole + 1;
+constexpr int kNameRole = Qt::UserRole + 1;
 
-/// In their order: the latest first.
-std::vector<BrushEntry> recent_of(const std::vector<BrushEntry>& entries,
-                                  const tools::BrushShelf& shelf) {
-    std::vector<BrushEntry> recent;
-    for (const std::string& name : shelf.recent)
+/// Those of that name that can be taken, in the order of the names and under no heading.
+std::vector<BrushEntry> named(const std::vector<std::string>& names,
+                              const std::vector<BrushEntry>& entries) {
+    std::vector<BrushEntry> found;
+    for (const std::string& name : names)
         for (const BrushEntry& entry : entries) {
             if (entry.name.toStdString() != name || !entry.fault.isEmpty()) continue;
-            recent.push_back(entry);
-            recent.back().family.clear();
+            found.push_back(entry);
+            found.back().family.clear();
         }
-    return recent;
+    return found;
+}
+
+/// Within each family; those that the order leaves out follow as they come.
+void put_in_order(std::vector<BrushEntry>& entries, const std::vector<std::string>& order) {
+    const auto rank = [&order](const BrushEntry& entry) {
+        return std::ranges::find(order, entry.name.toStdString()) - order.begin();
+    };
+    for (auto first = entries.begin(); first != entries.end();) {
+        const auto last = std::find_if(first, entries.end(), [first](const BrushEntry& entry) {
+            return entry.family != first->family;
+        });
+        std::ranges::stable_sort(first, last, {}, rank);
+        first = last;
+    }
+}
+
+/// Null where what is chosen has no order of its own.
+const std::vector<std::string>* names_of(const BrushChoice& choice, const tools::BrushShelf& shelf) {
+    if (!choice.typed.trimmed().isEmpty()) return nullptr;
+    if (choice.kind == Kind::Recent) return &shelf.recent;
+    if (choice.kind == Kind::Favourites) return &shelf.favourites;
+    const tools::BrushTag* tag = tools::find_tag(choice.name.toStdString(), shelf);
+    return choice.kind == Kind::Tag && tag != nullptr ? &tag->tools : nullptr;
 }
 
 bool is_chosen(const BrushEntry& entry, const BrushChoice& choice) {
     if (!choice.typed.trimmed().isEmpty())
         return commands::fit_of_name(choice.typed, shown_name(entry), entry.family) > 0;
     switch (choice.kind) {
-        case Kind::Favourites:
-            return entry.favourite;
         case Kind::Own:
             return entry.own;
         case Kind::Family:
-            return entry.family == choice.family;
+            return entry.family == choice.name;
         default:
             return true;
     }
@@ -52,8 +73,9 @@ std::vector<BrushEntry> chosen_brushes(const std::vector<BrushEntry>& entries,
     std::vector<BrushEntry> marked = entries;
     for (BrushEntry& entry : marked)
         entry.favourite = tools::is_favourite(entry.name.toStdString(), shelf);
-    if (choice.kind == Kind::Recent && choice.typed.trimmed().isEmpty()) return recent_of(marked, shelf);
+    if (const auto* names = names_of(choice, shelf)) return named(*names, marked);
     std::erase_if(marked, [&](const BrushEntry& entry) { return !is_chosen(entry, choice); });
+    put_in_order(marked, shelf.order);
     return marked;
 }
 
@@ -75,7 +97,7 @@ BrushFinder::BrushFinder(QWidget* parent)
     row->setSpacing(4);
     row->addWidget(folder_, 1);
     row->addWidget(typed_, 1);
-    show_families({});
+    show_folders({}, {});
     connect(folder_, &QComboBox::activated, this, [this] {
         const QSignalBlocker quiet(typed_);
         typed_->clear();
@@ -85,29 +107,38 @@ BrushFinder::BrushFinder(QWidget* parent)
     connect(typed_, &QLineEdit::returnPressed, this, &BrushFinder::first_wanted);
 }
 
-void BrushFinder::show_families(const std::vector<BrushEntry>& entries) {
+void BrushFinder::add_folder(const QString& words, Kind kind, const QString& name) {
+    folder_->addItem(words, static_cast<int>(kind));
+    folder_->setItemData(folder_->count() - 1, name, kNameRole);
+}
+
+void BrushFinder::show_folders(const std::vector<BrushEntry>& entries,
+                               const std::vector<tools::BrushTag>& tags) {
     const QSignalBlocker quiet(folder_);
-    const QString before = folder_->currentText();
+    const BrushChoice before = choice();
     folder_->clear();
-    const auto add = [&](const QString& words, Kind kind) {
-        folder_->addItem(words, static_cast<int>(kind));
-    };
-    add(tr("All"), Kind::All);
-    add(tr("Favourites"), Kind::Favourites);
-    add(tr("Recent"), Kind::Recent);
-    add(tr("My own"), Kind::Own);
+    add_folder(tr("All"), Kind::All);
+    add_folder(tr("Favourites"), Kind::Favourites);
+    add_folder(tr("Recent"), Kind::Recent);
+    add_folder(tr("My own"), Kind::Own);
+    if (!tags.empty()) folder_->insertSeparator(folder_->count());
+    for (const tools::BrushTag& tag : tags)
+        add_folder(QString::fromStdString(tag.name), Kind::Tag, QString::fromStdString(tag.name));
     folder_->insertSeparator(folder_->count());
+    QString family;
     for (const BrushEntry& entry : entries) {
-        if (folder_->findData(entry.family, kFamilyRole) >= 0) continue;
-        add(entry.family, Kind::Family);
-        folder_->setItemData(folder_->count() - 1, entry.family, kFamilyRole);
+        if (entry.family != family) add_folder(entry.family, Kind::Family, entry.family);
+        family = entry.family;
     }
-    folder_->setCurrentIndex(before.isEmpty() ? 0 : std::max(0, folder_->findText(before)));
+    for (int row = folder_->count() - 1; row >= 0; --row)
+        if (folder_->itemData(row).toInt() == static_cast<int>(before.kind) &&
+            folder_->itemData(row, kNameRole).toString() == before.name)
+            folder_->setCurrentIndex(row);
 }
 
 BrushChoice BrushFinder::choice() const {
     return {static_cast<Kind>(folder_->currentData().toInt()),
-            folder_->currentData(kFamilyRole).toString(), typed_->text()};
+            folder_->currentData(kNameRole).toString(), typed_->text()};
 }
 
 }  // namespace pastoso::panels

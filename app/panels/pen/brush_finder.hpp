@@ -1,4 +1,5 @@
-// Which tools the list shows: a family, favourites, those used last, or what is named by a few letters.
+// Which tools the list shows: a family, favourites, a tag, those used last, or what is named by a few
+// letters.
 #pragma once
 
 #include "panels/pen/brush_list.hpp"
@@ -14,14 +15,14 @@ class QLineEdit;
 namespace pastoso::panels {
 
 struct BrushChoice {
-    enum class Kind { All, Favourites, Recent, Own, Family };
+    enum class Kind { All, Favourites, Recent, Own, Family, Tag };
     Kind kind = Kind::All;
-    QString family{};  ///< where it is one
-    QString typed{};   ///< looks through all tools, whatever else is chosen
+    QString name{};   ///< of the family or the tag, where it is one
+    QString typed{};  ///< looks through all tools, whatever else is chosen
 };
 
-/// Those of the entries that are chosen, in their order; the recent ones with the latest first, and
-/// under no heading. Favourites are marked.
+/// Those of the entries that are chosen, each family in the painter's order. Favourites and tags in
+/// their own order, the recent ones with the latest first, under no heading. Favourites are marked.
 std::vector<BrushEntry> chosen_brushes(const std::vector<BrushEntry>& entries,
                                        const tools::BrushShelf& shelf, const BrushChoice& choice);
 
@@ -30,8 +31,9 @@ class BrushFinder : public QWidget {
   public:
     explicit BrushFinder(QWidget* parent = nullptr);
 
-    /// Offers the families of these tools. What was chosen stays so where it still is there.
-    void show_families(const std::vector<BrushEntry>& entries);
+    /// Offers the families of these tools, and these tags. What was chosen stays so where it still is
+    /// there.
+    void show_folders(const std::vector<BrushEntry>& entries, const std::vector<tools::BrushTag>& tags);
 
     BrushChoice choice() const;
 
@@ -41,6 +43,8 @@ class BrushFinder : public QWidget {
     void first_wanted();
 
   private:
+    void add_folder(const QString& words, BrushChoice::Kind kind, const QString& name = {});
+
     QComboBox* folder_;
     QLineEdit* typed_;
 };

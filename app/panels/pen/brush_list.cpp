@@ -8,8 +8,14 @@
 namespace pastoso::panels {
 namespace {
 
-constexpr int kEntryRole = Qt::UserRole, kNameRole = kEntryRole + 1, kThumbnailRole = kEntryRole + 2;
+constexpr int kEntryRole = Qt::UserRole, kNameRole = kEntryRole + 1, kThumbnailRole = kEntryRole + 2,
+              kFaultyRole = kEntryRole + 3;
 constexpr int kNoEntry = -1;
+
+/// Neither a heading nor a file that cannot be read.
+bool is_tool(const QListWidgetItem& item) {
+    return item.data(kEntryRole).toInt() != kNoEntry && !item.data(kFaultyRole).toBool();
+}
 
 int entry_of(const QListWidgetItem* item) {
     return item == nullptr ? kNoEntry : item->data(kEntryRole).toInt();
@@ -23,6 +29,8 @@ QString shown_name(const BrushEntry& entry) {
 
 BrushList::BrushList(QWidget* parent) : ChoiceList(parent) {
     setIconSize(kThumbnailSize);
+    let_arrange();
+    setContextMenuPolicy(Qt::CustomContextMenu);
     connect(this, &ChoiceList::taken, this, [this](const QListWidgetItem* item) {
         if (entry_of(item) != kNoEntry) Q_EMIT entry_clicked(entry_of(item));
     });
@@ -49,6 +57,7 @@ void BrushList::add_entry(const BrushEntry& entry) {
     auto* item = new QListWidgetItem(entry.favourite ? shown + QStringLiteral(" \u2605") : shown, this);
     item->setData(kEntryRole, static_cast<int>(items_.size()));
     item->setData(kNameRole, entry.name);
+    item->setFlags(item->flags() & ~Qt::ItemIsDropEnabled);  // tools are dropped between others
     item->setToolTip(!entry.fault.isEmpty() ? entry.fault
                      : entry.own            ? tr("%1, your own").arg(shown)
                                             : shown);
@@ -61,6 +70,7 @@ void BrushList::add_entry(const BrushEntry& entry) {
         item->setIcon(QIcon(empty));
     } else {
         item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+        item->setData(kFaultyRole, true);
     }
     items_.push_back(item);
 }
@@ -79,6 +89,19 @@ void BrushList::show_entry(int entry) {
 
 int BrushList::current_entry() const {
     return entry_of(currentItem());
+}
+
+QString BrushList::name_at(const QPoint& place) const {
+    const QListWidgetItem* item = itemAt(place);
+    if (item == nullptr) item = currentItem();
+    return item != nullptr && is_tool(*item) ? item->data(kNameRole).toString() : QString();
+}
+
+QStringList BrushList::names() const {
+    QStringList names;
+    for (int row = 0; row < count(); ++row)
+        if (is_tool(*item(row))) names += item(row)->data(kNameRole).toString();
+    return names;
 }
 
 void BrushList::set_thumbnail(const QString& name, const QImage& image) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 namespace pastoso::panels {
 
@@ -38,6 +39,11 @@ class BrushList : public ChoiceList {
     void show_entry(int entry);
     /// The entry that is marked, -1 if none.
     int current_entry() const;
+    /// The name of the tool at that place of the viewport, or else of the one that is marked; empty:
+    /// none.
+    QString name_at(const QPoint& place) const;
+    /// As the entries stand, by their names; those that cannot be taken are left out.
+    QStringList names() const;
     void set_thumbnail(const QString& name, const QImage& image);
 
   Q_SIGNALS:

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <utility>
 
+#include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
@@ -57,6 +59,9 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
     list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
     connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
     connect(list_, &BrushList::thumbnail_wanted, this, &BrushPanel::want_thumbnail);
+    // Only when the list is through with the drop may its entries be made anew.
+    connect(list_, &BrushList::arranged, this, &BrushPanel::tell_arranged, Qt::QueuedConnection);
+    connect(list_, &QWidget::customContextMenuRequested, this, &BrushPanel::offer_tags);
     connect(finder_, &BrushFinder::changed, this, &BrushPanel::list_chosen);
     connect(finder_, &BrushFinder::first_wanted, this, [this] {
         list_->show_entry(-1);
@@ -77,14 +82,43 @@ void BrushPanel::show_brushes(std::vector<BrushEntry> brushes) {
     brushes_ = std::move(brushes);
     asked_.clear();
     thumbnails_.clear();
-    finder_->show_families(brushes_);
+    finder_->show_folders(brushes_, shelf_.tags);
     list_chosen();
 }
 
 void BrushPanel::show_shelf(const tools::BrushShelf& shelf) {
-    const bool same_stars = shelf.favourites == shelf_.favourites;
+    tools::BrushShelf unlisted = shelf_;
+    unlisted.recent = shelf.recent;
+    const bool same = unlisted == shelf;
     shelf_ = shelf;
-    if (!same_stars) list_chosen();
+    if (same) return;
+    finder_->show_folders(brushes_, shelf_.tags);
+    list_chosen();
+}
+
+/// Listed anew first: a tool that was dropped among another family is back in its own.
+void BrushPanel::tell_arranged() {
+    const QStringList names = list_->names();
+    list_chosen();
+    Q_EMIT arranged(finder_->choice(), names);
+}
+
+/// Of the tool under the pointer.
+void BrushPanel::offer_tags(const QPoint& place) {
+    const QString tool = list_->name_at(place);
+    if (tool.isEmpty()) return;
+    QMenu menu;
+    menu.addSection(tr("Tags"));
+    for (const tools::BrushTag& tag : shelf_.tags) {
+        const auto name = QString::fromStdString(tag.name);
+        QAction* choice =
+            menu.addAction(QString(name).replace('&', QLatin1String("&&")), this,
+                           [this, tool, name](bool has) { Q_EMIT tagged(tool, name, has); });
+        choice->setCheckable(true);
+        choice->setChecked(std::ranges::find(tag.tools, tool.toStdString()) != tag.tools.end());
+    }
+    menu.addAction(tr("New tag..."), this, [this, tool] { Q_EMIT new_tag_wanted(tool); });
+    menu.exec(list_->viewport()->mapToGlobal(place));
 }
 
 void BrushPanel::list_chosen() {

@@ -11,6 +11,7 @@
 
 #include <QImage>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 class QAction;
@@ -30,8 +31,8 @@ class BrushPanel : public QWidget {
     /// Lists these in place of what was there; their thumbnails are asked for anew.
     void show_brushes(std::vector<BrushEntry> brushes);
 
-    /// Marks the favourites. Which tools were used last counts when they are listed the next time, so
-    /// that none moves away under the pointer.
+    /// Marks the favourites and puts the tools in the painter's order. Which were used last counts when
+    /// they are listed the next time, so that none moves away under the pointer.
     void show_shelf(const tools::BrushShelf& shelf);
 
     void show_thumbnail(const QString& name, const QImage& image);
@@ -59,12 +60,18 @@ class BrushPanel : public QWidget {
     void thumbnail_wanted(const QString& name);
     void faulty_clicked(const QString& fault);  ///< a file that cannot be taken
     void width_chosen(double width_mm);
+    /// These tools, which are all that are shown of `choice`, stand in another order.
+    void arranged(const BrushChoice& choice, const QStringList& tools);
+    void tagged(const QString& name, const QString& tag, bool tagged);
+    void new_tag_wanted(const QString& name);
     void stabiliser_chosen(const brush::Stabiliser& stabiliser);
 
   private:
     void list_chosen();
     void mark_in_hand();
     void want_thumbnail(int entry);
+    void tell_arranged();
+    void offer_tags(const QPoint& place);
     QWidget* make_width_row();
     QWidget* make_stabiliser_rows();
     void take_strength(int place);
