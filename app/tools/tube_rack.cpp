@@ -1,6 +1,7 @@
 #include "tools/tube_rack.hpp"
 
 #include "core/text.hpp"
+#include "core/text_file.hpp"
 #include "tools/memory_file.hpp"
 
 #include <algorithm>
@@ -12,6 +13,10 @@ using files::Json;
 using files::JsonPlace;
 
 constexpr int kVersion = 1;
+
+/// Of files with sets alone.
+constexpr const char* kFormat = "pastoso-tube-sets";
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
 bool holds(const Tubes& tubes, const std::string& tube) {
     return std::find(tubes.begin(), tubes.end(), tube) != tubes.end();
@@ -43,6 +48,25 @@ void read_set(const JsonPlace& place, TubeRack& rack) {
     const std::string name = place.entry("name").text();
     if (!save_set(name, read_tubes(place.entry("tubes")), rack))
         place.entry("name").fail("a set needs a name.");
+}
+
+void read_sets(const JsonPlace& place, TubeRack& rack) {
+    for (std::size_t i = 0; i < place.size(); ++i)
+        read_set(place.element(i), rack);
+}
+
+Json sets_json(const std::vector<TubeSet>& sets) {
+    Json json = Json::array();
+    for (const TubeSet& set : sets)
+        json.push_back({{"name", set.name}, {"tubes", set.tubes}});
+    return json;
+}
+
+std::string free_name(const std::string& name, const TubeRack& rack) {
+    std::string free = name;
+    for (int number = 2; find_set(free, rack) != nullptr; ++number)
+        free = name + ' ' + std::to_string(number);
+    return free;
 }
 
 }  // namespace
@@ -95,24 +119,49 @@ void take_out(const std::string& tube, TubeRack& rack) {
     if (TubeSet* set = find_set(rack.chosen, rack)) std::erase(set->tubes, tube);
 }
 
+int add_sets(const std::vector<TubeSet>& sets, TubeRack& rack) {
+    int added = 0;
+    for (const TubeSet& set : sets) {
+        if (std::ranges::find(rack.sets, set) != rack.sets.end()) continue;
+        rack.sets.push_back({free_name(set.name, rack), set.tubes});
+        ++added;
+    }
+    return added;
+}
+
+void write_tube_sets(const std::vector<TubeSet>& sets, const std::filesystem::path& file) {
+    write_memory({{"format", kFormat}, {"version", kVersion}, {"sets", sets_json(sets)}}, file);
+}
+
+std::vector<TubeSet> read_tube_sets(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    const Json json = files::parse_json(core::read_text_file(file, kMostBytes), name);
+    const JsonPlace root(json, name);
+    root.allow_only({"format", "version", "sets"});
+    const std::string format = root.entry("format").text();
+    if (format != kFormat) root.entry("format").fail("\"%1\" is not one of %2.", format, kFormat);
+    root.entry("version").integer(kVersion, kVersion);
+    TubeRack read;
+    read_sets(root.entry("sets"), read);
+    return read.sets;
+}
+
 TubeRack read_rack(const std::filesystem::path& file) {
     TubeRack rack;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
         root.allow_only({"version", "order", "sets", "chosen"});
         rack.order = read_tubes(root.entry("order"));
-        const JsonPlace sets = root.entry("sets");
-        for (std::size_t i = 0; i < sets.size(); ++i)
-            read_set(sets.element(i), rack);
+        read_sets(root.entry("sets"), rack);
         rack.chosen = root.entry("chosen").text();
     });
     return rack;
 }
 
 void write_rack(const TubeRack& rack, const std::filesystem::path& file) {
-    Json sets = Json::array();
-    for (const TubeSet& set : rack.sets)
-        sets.push_back({{"name", set.name}, {"tubes", set.tubes}});
-    write_memory({{"version", kVersion}, {"order", rack.order}, {"sets", sets}, {"chosen", rack.chosen}},
+    write_memory({{"version", kVersion},
+                  {"order", rack.order},
+                  {"sets", sets_json(rack.sets)},
+                  {"chosen", rack.chosen}},
                  file);
 }
 

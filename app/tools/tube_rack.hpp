@@ -45,6 +45,15 @@ void remove_chosen(TubeRack& rack);
 void put_into_set(const std::string& tube, const std::string& set, TubeRack& rack);
 void take_out(const std::string& tube, TubeRack& rack);
 
+/// Adds the sets that are not there yet, each under its name or, where another set has it, with a number
+/// behind it. How many were added.
+int add_sets(const std::vector<TubeSet>& sets, TubeRack& rack);
+
+/// Sets as other painters may have them. Both throw InputError: where the file cannot be written, or
+/// names the file and the place of what is malformed in it.
+void write_tube_sets(const std::vector<TubeSet>& sets, const std::filesystem::path& file);
+std::vector<TubeSet> read_tube_sets(const std::filesystem::path& file);
+
 /// As paint_shelf.hpp does it. Names of tubes are not checked: a painter's own may be away.
 TubeRack read_rack(const std::filesystem::path& file);
 void write_rack(const TubeRack& rack, const std::filesystem::path& file);

@@ -423,6 +423,22 @@ TEST_F(Tubes, AreChosenBySetsThatAreFoundAtTheNextStart) {
     EXPECT_EQ(panel().tubes(), all);
 }
 
+TEST_F(Tubes, SetsGoToAnotherPainterAsAFile) {
+    const TemporaryFolder folder;
+    const QString file = QString::fromStdString((folder.path() / "tubes.json").string());
+    parts().tubes.save_set(QStringLiteral("sea"));
+    parts().tubes.export_sets(file);
+    parts().tubes.import_sets(file);
+    EXPECT_EQ(told(), "You have all sets of that file already.");
+    Q_EMIT panel().sets().removal_wanted();
+    parts().tubes.import_sets(file);
+    EXPECT_THAT(told(), HasSubstr("added to your own"));
+    EXPECT_EQ(panel().sets().names(), QStringList(QStringLiteral("sea")));
+    EXPECT_EQ(set_shown(), "All tubes");
+    start_again();
+    EXPECT_EQ(panel().sets().names(), QStringList(QStringLiteral("sea")));
+}
+
 TEST_F(Tubes, OfASetAreSqueezedOutTogether) {
     const QStringList all = panel().tubes();
     parts().tubes.save_set(QStringLiteral("sea"));

@@ -79,6 +79,40 @@ TEST_F(TubeRackTest, ComesBackAsItWasWritten) {
     EXPECT_EQ(read_rack(file()), rack_);
 }
 
+TEST_F(TubeRackTest, SetsGoToOthersAndNoneIsThereTwice) {
+    save_set("sea", {"PB29", ""}, rack_);
+    save_set("sky", {"PW6"}, rack_);
+    write_tube_sets(rack_.sets, file());
+    const std::vector<TubeSet> sets = read_tube_sets(file());
+    EXPECT_EQ(sets, rack_.sets);
+    EXPECT_EQ(add_sets(sets, rack_), 0);
+    TubeRack other;
+    save_set("sea", {"PR108"}, other);
+    EXPECT_EQ(add_sets(sets, other), 2);
+    EXPECT_THAT(other.sets, ElementsAre(TubeSet{"sea", {"PR108"}}, TubeSet{"sea 2", {"PB29", ""}},
+                                        TubeSet{"sky", {"PW6"}}));
+    EXPECT_EQ(other.chosen, "sea") << "what is shown stays so";
+}
+
+TEST_F(TubeRackTest, FaultsOfAFileOfSetsAreToldWithTheirPlace) {
+    const auto fault_of = [this](const std::string& text) -> std::string {
+        core::write_text_file(file(), text);
+        try {
+            read_tube_sets(file());
+        } catch (const core::InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(fault_of(R"({"format": "gpl", "version": 1, "sets": []})"),
+                HasSubstr("tubes.json, format: \"gpl\" is not one of pastoso-tube-sets"));
+    EXPECT_THAT(fault_of(R"({"format": "pastoso-tube-sets", "version": 2, "sets": []})"),
+                HasSubstr("tubes.json, version: "));
+    EXPECT_THAT(fault_of(R"({"format": "pastoso-tube-sets", "version": 1, "sets": [{"name": "a"}]})"),
+                HasSubstr("\"tubes\" is missing"));
+    EXPECT_THROW(read_tube_sets(file().parent_path() / "none.json"), core::InputError);
+}
+
 TEST_F(TubeRackTest, FaultsAreToldWithTheirPlace) {
     const auto fault_of = [this](const std::string& text) -> std::string {
         core::write_text_file(file(), text);

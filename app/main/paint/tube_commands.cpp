@@ -6,6 +6,7 @@
 #include "tools/swatch.hpp"
 
 #include <QAction>
+#include <QFileDialog>
 #include <QInputDialog>
 #include <QMainWindow>
 
@@ -50,6 +51,8 @@ TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
     });
     connect(&sets, &panels::TubeMenu::removal_wanted, this, [this] { change(tools::remove_chosen); });
     connect(&sets, &panels::TubeMenu::squeeze_wanted, this, &TubeCommands::squeeze_out);
+    connect(&sets, &panels::TubeMenu::export_wanted, this, &TubeCommands::ask_export);
+    connect(&sets, &panels::TubeMenu::import_wanted, this, &TubeCommands::ask_import);
     connect(&sets, &panels::TubeMenu::save_wanted, this, [this] {
         const QString name = asked_name(tr("Save the tubes as a set"), panel_->sets().chosen());
         if (!name.isNull()) save_set(name);
@@ -88,6 +91,35 @@ void TubeCommands::rename_set(const QString& name) {
     change([&](auto& rack) {
         if (!tools::rename_chosen(name.toStdString(), rack))
             studio_.report(tr("Type another name: that one is empty, or another set's."));
+    });
+}
+
+void TubeCommands::ask_export() {
+    const QString path = QFileDialog::getSaveFileName(&studio_.window(), tr("Export my sets of tubes"),
+                                                      tr("my-tubes.json"), tr("Sets of tubes (*.json)"));
+    if (!path.isEmpty()) export_sets(path);
+}
+
+void TubeCommands::export_sets(const QString& path) {
+    studio_.attempt(tr("Export my sets of tubes"), [&] {
+        tools::write_tube_sets(rack_.sets, path.toStdString());
+        studio_.report(tr("Saved %1.").arg(path));
+    });
+}
+
+void TubeCommands::ask_import() {
+    const QString path = QFileDialog::getOpenFileName(&studio_.window(), tr("Import sets of tubes"),
+                                                      QString(), tr("Sets of tubes (*.json)"));
+    if (!path.isEmpty()) import_sets(path);
+}
+
+void TubeCommands::import_sets(const QString& path) {
+    studio_.attempt(tr("Import sets of tubes"), [&] {
+        const std::vector<tools::TubeSet> sets = tools::read_tube_sets(path.toStdString());
+        int added = 0;
+        change([&](auto& rack) { added = tools::add_sets(sets, rack); });
+        studio_.report(added == 0 ? tr("You have all sets of that file already.")
+                                  : tr("%n set(s) added to your own.", nullptr, added));
     });
 }
 

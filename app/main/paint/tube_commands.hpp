@@ -31,7 +31,13 @@ class TubeCommands : public QObject {
     /// Gives the set that is shown another name. One that cannot be is told.
     void rename_set(const QString& name);
 
+    /// Writes all sets to a file, and adds those of such a file. What goes wrong is told.
+    void export_sets(const QString& path);
+    void import_sets(const QString& path);
+
   private:
+    void ask_export();
+    void ask_import();
     QString asked_name(const QString& title, const QString& name);
     void change(const std::function<void(tools::TubeRack&)>& work);
     void squeeze_out();

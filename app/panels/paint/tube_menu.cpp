@@ -44,6 +44,11 @@ void TubeMenu::fill() {
     for (QAction* action : {rename, remove})
         action->setEnabled(!chosen_.isEmpty());
     menu()->addSeparator();
+    menu()->addAction(tr("Import sets..."), this, &TubeMenu::import_wanted);
+    menu()
+        ->addAction(tr("Export my sets..."), this, &TubeMenu::export_wanted)
+        ->setEnabled(!names_.isEmpty());
+    menu()->addSeparator();
     menu()
         ->addAction(tr("Squeeze these onto the mixing well"), this, &TubeMenu::squeeze_wanted)
         ->setEnabled(!chosen_.isEmpty());
