@@ -2,7 +2,11 @@
 
 #include "appearance/style_sheet.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QApplication>
+#include <QFont>
 #include <QPalette>
 #include <QStyleFactory>
 
@@ -52,8 +56,28 @@ ThemeColours light_colours() {
             .ground = {140, 140, 140}};
 }
 
+ThemeColours strengthened(ThemeColours colours, Theme theme) {
+    const bool dark = theme == Theme::Dark;
+    colours.text = dark ? QColor(255, 255, 255) : QColor(0, 0, 0);
+    colours.quiet_text = dark ? QColor(232, 232, 234) : QColor(20, 20, 22);
+    colours.faint_text = dark ? QColor(176, 176, 180) : QColor(76, 76, 80);
+    colours.very_faint = colours.faint_text;
+    colours.line = dark ? QColor(156, 156, 160) : QColor(84, 84, 88);
+    colours.edge = colours.line;
+    colours.chosen = dark ? QColor(34, 66, 98) : QColor(174, 206, 238);
+    colours.chosen_text = colours.text;
+    colours.warning = dark ? QColor(255, 226, 160) : QColor(84, 44, 0);
+    return colours;
+}
+
+ThemeColours colours_of(Theme theme, Contrast contrast) {
+    const ThemeColours usual = theme == Theme::Dark ? dark_colours() : light_colours();
+    return contrast == Contrast::High ? strengthened(usual, theme) : usual;
+}
+
 struct Used {
     std::optional<Theme> theme;
+    Contrast contrast = Contrast::Usual;
     ThemeColours colours = dark_colours();
 };
 
@@ -94,10 +118,27 @@ const ThemeColours& colours() {
 }
 
 void apply_theme(QApplication& application, Theme theme) {
-    used() = {theme, theme == Theme::Dark ? dark_colours() : light_colours()};
+    used().theme = theme;
+    used().colours = colours_of(theme, used().contrast);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(palette_of(colours()));
     application.setStyleSheet(style_sheet(colours()));
+}
+
+void set_contrast(QApplication& application, Contrast contrast) {
+    if (used().contrast == contrast) return;
+    used().contrast = contrast;
+    if (used().theme) apply_theme(application, *used().theme);
+}
+
+void scale_text(double scale) {
+    static const QFont usual = QApplication::font();
+    QFont scaled = usual;
+    if (usual.pointSizeF() > 0.0)
+        scaled.setPointSizeF(scale * usual.pointSizeF());
+    else
+        scaled.setPixelSize(std::max(1, static_cast<int>(std::lround(scale * usual.pixelSize()))));
+    if (scaled != QApplication::font()) QApplication::setFont(scaled);
 }
 
 }  // namespace pastoso::appearance

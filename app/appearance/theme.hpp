@@ -13,6 +13,11 @@ namespace pastoso::appearance {
 
 enum class Theme { Dark, Light };
 
+/// High: for eyes that need more than usual; text against what is behind it at least 7 : 1, lines around
+/// buttons and fields and what cannot be used at least 3 : 1 and 4.5 : 1
+/// (WCAG 2.1: 1.4.6, 1.4.11, 1.4.3).
+enum class Contrast { Usual, High };
+
 /// "dark" or "light": as it is written in files.
 std::string_view name_of(Theme theme);
 
@@ -42,6 +47,13 @@ std::optional<Theme> theme();
 /// Its colours; before the first those of the dark one.
 const ThemeColours& colours();
 
+/// In the contrast that was set last.
 void apply_theme(QApplication& application, Theme theme);
+
+/// Of this theme and the next ones.
+void set_contrast(QApplication& application, Contrast contrast);
+
+/// Has all text so many times as large as the program was started with.
+void scale_text(double scale);
 
 }  // namespace pastoso::appearance

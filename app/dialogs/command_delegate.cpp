@@ -50,8 +50,13 @@ void CommandDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     painter->restore();
 }
 
-QSize CommandDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
-    return {0, kRowHeight};
+int CommandDelegate::row_height(const QFontMetrics& metrics) {
+    constexpr int kAround = 13;
+    return metrics.height() + kAround;
+}
+
+QSize CommandDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+    return {0, row_height(option.fontMetrics)};
 }
 
 }  // namespace pastoso::dialogs

@@ -8,7 +8,8 @@ namespace pastoso::dialogs {
 class CommandDelegate : public QStyledItemDelegate {
     Q_OBJECT
   public:
-    static constexpr int kRowHeight = 28;
+    /// In pixels, of words in that font.
+    static int row_height(const QFontMetrics& metrics);
 
     /// Of the model; the words are its display role. A row that is not enabled is drawn faint.
     enum Role { kCommand = Qt::UserRole + 1, kMenu, kKeys, kChecked, kHint, kOffer };

@@ -123,7 +123,7 @@ void CommandPalette::list_found() {
 void CommandPalette::fit_height() {
     constexpr int kFrame = 6;
     const int rows = std::clamp(model_->rowCount(), 1, kRows);
-    list_->setFixedHeight(rows * CommandDelegate::kRowHeight + kFrame);
+    list_->setFixedHeight(rows * CommandDelegate::row_height(list_->fontMetrics()) + kFrame);
     adjustSize();
 }
 

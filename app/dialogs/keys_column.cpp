@@ -7,7 +7,7 @@
 namespace pastoso::dialogs {
 namespace {
 
-constexpr int kRowHeight = 26, kGap = 5;
+constexpr int kAround = 11, kGap = 5;
 
 }  // namespace
 
@@ -30,8 +30,8 @@ void KeysColumn::initStyleOption(QStyleOptionViewItem* option, const QModelIndex
     option->text.clear();
 }
 
-QSize KeysColumn::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
-    return {0, kRowHeight};
+QSize KeysColumn::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+    return {0, option.fontMetrics.height() + kAround};
 }
 
 }  // namespace pastoso::dialogs

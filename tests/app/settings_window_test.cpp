@@ -13,6 +13,9 @@
 #include "main/program/preference_commands.hpp"
 #include "main/window_parts.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
@@ -103,6 +106,50 @@ TEST_F(SettingsWindow, GreysOfBothThemesAreNeutralAndTextStandsOut) {
         EXPECT_GT(contrast(colours.chosen_text, colours.chosen), 120);
         EXPECT_GT(contrast(colours.warning, colours.window), 100);
     }
+}
+
+/// By the definition of WCAG 2.1.
+double contrast_ratio(const QColor& a, const QColor& b) {
+    const auto luminance = [](const QColor& colour) {
+        const auto linear = [](double value) {
+            return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+               0.0722 * linear(colour.blueF());
+    };
+    const double first = luminance(a), second = luminance(b);
+    return (std::max(first, second) + 0.05) / (std::min(first, second) + 0.05);
+}
+
+TEST_F(SettingsWindow, HighContrastIsWhatItSaysAndGoesAgain) {
+    for (const appearance::Theme theme : {appearance::Theme::Light, appearance::Theme::Dark}) {
+        SCOPED_TRACE(appearance::name_of(theme));
+        appearance::apply_theme(*qApp, theme);
+        const QColor usual = appearance::colours().text;
+        appearance::set_contrast(*qApp, appearance::Contrast::High);
+        const appearance::ThemeColours& colours = appearance::colours();
+        EXPECT_EQ(appearance::theme(), theme);
+        for (const QColor& behind : {colours.window, colours.field, colours.button}) {
+            for (const QColor& words : {colours.text, colours.quiet_text})
+                EXPECT_GE(contrast_ratio(words, behind), 7.0) << behind.name().toStdString();
+            EXPECT_GE(contrast_ratio(colours.faint_text, behind), 4.5) << behind.name().toStdString();
+            EXPECT_GE(contrast_ratio(colours.line, behind), 3.0) << behind.name().toStdString();
+        }
+        EXPECT_GE(contrast_ratio(colours.chosen_text, colours.chosen), 7.0);
+        EXPECT_GE(contrast_ratio(colours.warning, colours.window), 7.0);
+        EXPECT_EQ(window().palette().color(QPalette::WindowText), colours.text);
+        appearance::set_contrast(*qApp, appearance::Contrast::Usual);
+        EXPECT_EQ(appearance::colours().text, usual);
+    }
+}
+
+TEST_F(SettingsWindow, TextIsScaledFromItsFirstSize) {
+    const QFont usual = QApplication::font();
+    appearance::scale_text(1.5);
+    EXPECT_GT(QFontInfo(QApplication::font()).pixelSize(), QFontInfo(usual).pixelSize());
+    appearance::scale_text(1.5);
+    appearance::scale_text(1.0);
+    EXPECT_EQ(QApplication::font(), usual);
 }
 
 TEST_F(SettingsWindow, TheCanvasLiesOnTheGroundOfTheTheme) {

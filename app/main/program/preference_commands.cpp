@@ -33,13 +33,28 @@ void apply_preferences(const tools::Preferences& preferences) {
 }
 
 PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo, ColourCommands& colours)
-    : studio_(studio), undo_(undo), colours_(colours), file_(studio, preferences_file()) {
+    : studio_(studio),
+      undo_(undo),
+      colours_(colours),
+      file_(studio, preferences_file()),
+      desktop_(desktop_bus()) {
     studio_.commands().on(Command::EditSettings, [this](bool) { ask(Page::Appearance); });
     studio_.commands().on(Command::UndoMemory, [this](bool) { ask(Page::Keeping); });
     connect(&colours_, &ColourCommands::printer_wanted, this, [this] { ask(Page::Colour); });
     autosave_ = new QTimer(&studio_.window());
     autosave_->setObjectName(QStringLiteral("autosave"));
     connect(autosave_, &QTimer::timeout, this, &PreferenceCommands::autosave_due);
+    follow_desktop();
+}
+
+/// Of the text's size X11 tells Qt, Wayland does not.
+void PreferenceCommands::follow_desktop() {
+    connect(&desktop_, &DesktopLook::contrast_told, this, [](bool high) {
+        appearance::set_contrast(*qApp, high ? appearance::Contrast::High : appearance::Contrast::Usual);
+    });
+    if (QGuiApplication::platformName().startsWith(QLatin1String("wayland")))
+        connect(&desktop_, &DesktopLook::text_scale_told, this, &appearance::scale_text);
+    desktop_.ask();
 }
 
 void PreferenceCommands::recall(const KeptPreferences& kept) {

@@ -4,6 +4,7 @@
 #include "dialogs/settings_dialog.hpp"
 #include "main/canvas/undo_commands.hpp"
 #include "main/program/colour_commands.hpp"
+#include "main/program/desktop_look.hpp"
 #include "main/program/kept_preferences.hpp"
 #include "main/program/remembered_file.hpp"
 #include "main/studio.hpp"
@@ -36,6 +37,7 @@ class PreferenceCommands : public QObject {
     void remember();
     void show_canvas();
     void start_autosave();
+    void follow_desktop();
 
     Studio& studio_;
     UndoCommands& undo_;
@@ -43,6 +45,7 @@ class PreferenceCommands : public QObject {
     tools::Preferences preferences_;
     RememberedFile file_;
     QTimer* autosave_;  ///< the window's
+    DesktopLook desktop_;
 };
 
 }  // namespace pastoso::main

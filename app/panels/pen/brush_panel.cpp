@@ -44,6 +44,9 @@ constexpr int kLeastListHeight = 38;
 /// Six tools and the heading of a family on a screen 800 pixels high.
 constexpr int kSpacing = 4;
 
+/// Around the digits of a box and of a reading.
+constexpr int kBoxEdges = 12, kReadingEdges = 6;
+
 /// Places of the strength's slider.
 constexpr int kSmoothingStep_ms = 5;
 constexpr int kPlacesPerMm = 2;
@@ -155,7 +158,8 @@ QWidget* BrushPanel::make_width_row() {
     width_->setSuffix(tr(" mm"));
     width_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     width_->setAlignment(Qt::AlignRight);
-    width_->setFixedWidth(68);
+    width_->setFixedWidth(fontMetrics().horizontalAdvance(tr("%1 mm").arg(QStringLiteral("200.0"))) +
+                          kBoxEdges);
     width_->setKeyboardTracking(false);
     width_->setFocusPolicy(Qt::StrongFocus);
     width_->setToolTip(tr("Width of the brush's tip  ([ and ])"));
@@ -198,7 +202,8 @@ QWidget* BrushPanel::make_stabiliser_rows() {
     strength_reading_ = new QLabel;
     strength_reading_->setObjectName(QStringLiteral("reading"));
     strength_reading_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    strength_reading_->setFixedWidth(54);
+    strength_reading_->setFixedWidth(
+        fontMetrics().horizontalAdvance(tr("%1 mm").arg(QStringLiteral("00.0"))) + kReadingEdges);
     grid->addWidget(label, 0, 0);
     grid->addWidget(steady_mode_, 0, 1, 1, 2);
     grid->addWidget(strength_, 1, 0, 1, 2);

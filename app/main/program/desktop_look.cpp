@@ -1,0 +1,71 @@
+#include "main/program/desktop_look.hpp"
+
+#include <algorithm>
+
+#include <QDBusMessage>
+#include <QDBusPendingCallWatcher>
+#include <QFileInfo>
+#include <QVariant>
+
+namespace pastoso::main {
+namespace {
+
+const QString kService = QStringLiteral("org.freedesktop.portal.Desktop");
+const QString kPath = QStringLiteral("/org/freedesktop/portal/desktop");
+const QString kSettings = QStringLiteral("org.freedesktop.portal.Settings");
+const QString kAppearance = QStringLiteral("org.freedesktop.appearance");
+const QString kContrast = QStringLiteral("contrast");
+const QString kInterface = QStringLiteral("org.gnome.desktop.interface");
+const QString kTextScale = QStringLiteral("text-scaling-factor");
+
+constexpr uint kHighContrast = 1;
+constexpr double kLeastScale = 0.5, kMostScale = 3.0;
+
+/// Read answers with a variant in a variant.
+QVariant bared(QVariant value) {
+    while (value.metaType() == QMetaType::fromType<QDBusVariant>())
+        value = value.value<QDBusVariant>().variant();
+    return value;
+}
+
+}  // namespace
+
+DesktopLook::DesktopLook(const QDBusConnection& bus, QObject* parent) : QObject(parent), bus_(bus) {
+    bus_.connect(QString(), kPath, kSettings, QStringLiteral("SettingChanged"), this,
+                 SLOT(take(QString, QString, QDBusVariant)));
+}
+
+void DesktopLook::ask() {
+    ask(kAppearance, kContrast);
+    ask(kInterface, kTextScale);
+}
+
+void DesktopLook::ask(const QString& of, const QString& key) {
+    if (!bus_.isConnected()) return;
+    QDBusMessage read =
+        QDBusMessage::createMethodCall(kService, kPath, kSettings, QStringLiteral("Read"));
+    read << of << key;
+    auto* watcher = new QDBusPendingCallWatcher(bus_.asyncCall(read), this);
+    connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher, of, key] {
+        watcher->deleteLater();
+        if (!watcher->isError()) take(of, key, QDBusVariant(watcher->reply().arguments().value(0)));
+    });
+}
+
+void DesktopLook::take(const QString& of, const QString& key, const QDBusVariant& value) {
+    const QVariant bare = bared(value.variant());
+    if (of == kAppearance && key == kContrast) Q_EMIT contrast_told(bare.toUInt() == kHighContrast);
+    if (of != kInterface || key != kTextScale) return;
+    bool is_number = false;
+    const double scale = bare.toDouble(&is_number);
+    if (is_number) Q_EMIT text_scale_told(std::clamp(scale, kLeastScale, kMostScale));
+}
+
+QDBusConnection desktop_bus() {
+    const bool is_there =
+        qEnvironmentVariableIsSet("DBUS_SESSION_BUS_ADDRESS") ||
+        QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/bus"));
+    return is_there ? QDBusConnection::sessionBus() : QDBusConnection(QStringLiteral("none"));
+}
+
+}  // namespace pastoso::main

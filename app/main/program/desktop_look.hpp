@@ -1,0 +1,41 @@
+// How the painter has set the desktop to be read, asked of its settings portal
+// (org.freedesktop.portal.Settings).
+#pragma once
+
+#include <QDBusConnection>
+#include <QDBusVariant>
+#include <QObject>
+#include <QString>
+
+namespace pastoso::main {
+
+/// Waits for nothing: what is asked is told a little later, and again whenever it becomes another. Where
+/// there is no portal nothing is told.
+class DesktopLook : public QObject {
+    Q_OBJECT
+  public:
+    explicit DesktopLook(const QDBusConnection& bus, QObject* parent = nullptr);
+
+    void ask();
+
+  Q_SIGNALS:
+    /// Whether more contrast than usual is wanted (org.freedesktop.appearance, contrast).
+    void contrast_told(bool high);
+    /// How much larger than usual text is wanted, 0.5 to 3 (org.gnome.desktop.interface,
+    /// text-scaling-factor).
+    void text_scale_told(double scale);
+
+  private Q_SLOTS:
+    void take(const QString& of, const QString& key, const QDBusVariant& value);
+
+  private:
+    void ask(const QString& of, const QString& key);
+
+    QDBusConnection bus_;
+};
+
+/// The bus of the painter's desktop; one that is not connected where there is none, which none is
+/// started for.
+QDBusConnection desktop_bus();
+
+}  // namespace pastoso::main

@@ -1,0 +1,93 @@
+// What the desktop's settings portal says, on a bus of its own.
+#include "app/window_fixture.hpp"
+#include "main/program/desktop_look.hpp"
+
+#include <vector>
+
+#include <QCoreApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusVirtualObject>
+#include <QProcess>
+
+namespace pastoso::tests {
+namespace {
+
+class FakePortal : public QDBusVirtualObject {
+  public:
+    QString introspect(const QString&) const override { return {}; }
+    bool handleMessage(const QDBusMessage& message, const QDBusConnection& bus) override {
+        const bool is_contrast = message.arguments().value(1).toString() == QLatin1String("contrast");
+        const QVariant value = is_contrast ? QVariant(1U) : QVariant(1.25);
+        const QDBusVariant once(value), twice(QVariant::fromValue(once));
+        return bus.send(message.createReply() << QVariant::fromValue(twice));
+    }
+};
+
+class DesktopLookTest : public WindowTest {
+  protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        daemon_.start(QStringLiteral("dbus-daemon"),
+                      {QStringLiteral("--session"), QStringLiteral("--nofork"),
+                       QStringLiteral("--nosyslog"), QStringLiteral("--print-address")});
+        if (!daemon_.waitForStarted()) GTEST_SKIP() << "there is no dbus-daemon here";
+        while (!daemon_.canReadLine())
+            ASSERT_TRUE(daemon_.waitForReadyRead());
+        const QString address = QString::fromLatin1(daemon_.readLine()).trimmed();
+        service_ = QDBusConnection::connectToBus(address, QStringLiteral("portal"));
+        client_ = QDBusConnection::connectToBus(address, QStringLiteral("asks"));
+        ASSERT_TRUE(service_.registerService(QStringLiteral("org.freedesktop.portal.Desktop")));
+        ASSERT_TRUE(
+            service_.registerVirtualObject(QStringLiteral("/"), &portal_, QDBusConnection::SubPath));
+    }
+    void TearDown() override {
+        QDBusConnection::disconnectFromBus(QStringLiteral("portal"));
+        QDBusConnection::disconnectFromBus(QStringLiteral("asks"));
+        daemon_.terminate();
+        daemon_.waitForFinished();
+        WindowTest::TearDown();
+    }
+    void tell(const QString& of, const QString& key, const QVariant& value) {
+        service_.send(QDBusMessage::createSignal(QStringLiteral("/org/freedesktop/portal/desktop"),
+                                                 QStringLiteral("org.freedesktop.portal.Settings"),
+                                                 QStringLiteral("SettingChanged"))
+                      << of << key << QVariant::fromValue(QDBusVariant(value)));
+    }
+
+    QProcess daemon_;
+    FakePortal portal_;
+    QDBusConnection service_{QString()}, client_{QString()};
+};
+
+TEST_F(DesktopLookTest, IsAskedAndHeardWhenItChanges) {
+    main::DesktopLook look(client_);
+    std::vector<bool> contrasts;
+    std::vector<double> scales;
+    QObject::connect(&look, &main::DesktopLook::contrast_told, &look,
+                     [&](bool high) { contrasts.push_back(high); });
+    QObject::connect(&look, &main::DesktopLook::text_scale_told, &look,
+                     [&](double scale) { scales.push_back(scale); });
+    look.ask();
+    wait_for([&] { return !contrasts.empty() && !scales.empty(); });
+    EXPECT_EQ(contrasts, std::vector<bool>{true});
+    EXPECT_EQ(scales, std::vector<double>{1.25});
+    tell(QStringLiteral("org.freedesktop.appearance"), QStringLiteral("color-scheme"), 1U);
+    tell(QStringLiteral("org.freedesktop.appearance"), QStringLiteral("contrast"), 0U);
+    tell(QStringLiteral("org.gnome.desktop.interface"), QStringLiteral("text-scaling-factor"), 99.0);
+    wait_for([&] { return contrasts.size() == 2 && scales.size() == 2; });
+    EXPECT_FALSE(contrasts.back());
+    EXPECT_EQ(scales.back(), 3.0) << "no more than the window has room for";
+}
+
+TEST_F(DesktopLookTest, WithoutABusNothingIsTold) {
+    main::DesktopLook look(QDBusConnection(QStringLiteral("nowhere")));
+    int told = 0;
+    QObject::connect(&look, &main::DesktopLook::contrast_told, &look, [&](bool) { ++told; });
+    look.ask();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(told, 0);
+}
+
+}  // namespace
+}  // namespace pastoso::tests
