@@ -1,6 +1,7 @@
 #include "dialogs/new_canvas_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/terms.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/units.hpp"
@@ -72,6 +73,8 @@ NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, doubl
     form->addRow(tr("Height"), height_);
     form->addRow(tr("Resolution"), density_);
     form->addRow(tr("Support"), support_);
+    appearance::explain(form->labelForField(density_), appearance::Term::Resolution);
+    appearance::explain(form->labelForField(support_), appearance::Term::Support);
     summary_->setWordWrap(true);
     summary_->setObjectName(QStringLiteral("summary"));
     summary_->setMinimumWidth(300);
@@ -129,7 +132,7 @@ void NewCanvasDialog::write_summary() {
         const document::CanvasSettings wanted = settings();
         document::check_canvas_fits(wanted, core::available_memory_bytes());
         const grid::Shape shape = document::canvas_shape(wanted);
-        text = tr("A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.")
+        text = tr("A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.")
                    .arg(shape.width)
                    .arg(shape.height)
                    .arg(std::lround(core::kInch_mm * wanted.px_per_mm))

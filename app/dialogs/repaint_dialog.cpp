@@ -1,6 +1,7 @@
 #include "dialogs/repaint_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/terms.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
@@ -58,6 +59,7 @@ RepaintDialog::RepaintDialog(document::Recording strokes, std::string name, QWid
 
     auto* form = new QFormLayout;
     form->addRow(tr("&Pixels per millimetre"), px_per_mm_);
+    appearance::explain(form->labelForField(px_per_mm_), appearance::Term::Resolution);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(18, 18, 18, 14);
     column->setSpacing(12);
@@ -73,13 +75,12 @@ void RepaintDialog::show_outcome() {
         const std::size_t free_bytes = core::available_memory_bytes();
         const project::RepaintingTerms terms = project::repainting_terms(strokes_, name_, free_bytes);
         show_possible(
-            true,
-            tr("%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are "
-               "painted again beside the painting on the easel, which stays as it is.")
-                    .arg(terms.cells.width)
-                    .arg(terms.cells.height)
-                    .arg(gibibytes(terms.memory_bytes), gibibytes(free_bytes)) +
-                sentences(terms.notes));
+            true, tr("%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are "
+                     "painted again beside the painting on the easel, which stays as it is.")
+                          .arg(terms.cells.width)
+                          .arg(terms.cells.height)
+                          .arg(gibibytes(terms.memory_bytes), gibibytes(free_bytes)) +
+                      sentences(terms.notes));
     } catch (const core::InputError& error) {
         show_possible(false, appearance::shown_message(error.message()));
     }

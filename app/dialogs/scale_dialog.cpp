@@ -1,6 +1,7 @@
 #include "dialogs/scale_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/terms.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/units.hpp"
@@ -70,6 +71,7 @@ ScaleDialog::ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent
     form->addRow(tr("Height"), height_.box);
     form->addRow(QString(), proportions_);
     form->addRow(tr("Resolution"), density_.box);
+    appearance::explain(form->labelForField(density_.box), appearance::Term::Resolution);
     summary_->setWordWrap(true);
     summary_->setObjectName(QStringLiteral("summary"));
     summary_->setMinimumWidth(300);
@@ -108,7 +110,7 @@ void ScaleDialog::show_outcome() {
         document::check_canvas_fits(after, core::available_memory_bytes());
         const grid::Shape shape = document::canvas_shape(after);
         const QString picture =
-            tr("A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.")
+            tr("A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.")
                 .arg(shape.width)
                 .arg(shape.height)
                 .arg(std::lround(core::kInch_mm * after.px_per_mm))

@@ -176,7 +176,7 @@ QWidget* SettingsDialog::make_keeping(int undo_memory_MiB) {
     memory->setObjectName(QStringLiteral("undo_memory"));
     memory->setRange(tools::kLeastUndoMemory_MiB, tools::kMostUndoMemory_MiB);
     memory->setSingleStep(kStep_MiB);
-    memory->setSuffix(tr(" MiB"));
+    memory->setSuffix(tr(" MB"));
     memory->setKeyboardTracking(false);
     memory->setValue(undo_memory_MiB);
     connect(memory, &QSpinBox::valueChanged, this, &SettingsDialog::undo_memory_changed);
@@ -198,7 +198,7 @@ QWidget* SettingsDialog::make_performance() {
     auto* page = new QWidget;
     QFormLayout* form = form_on(page);
     add_number(
-        form, tr("Threads"), QStringLiteral("threads"), tools::kMostThreads,
+        form, tr("Processors in use"), QStringLiteral("threads"), tools::kMostThreads,
         tr("All of the machine (%1)").arg(core::processor_count()), [](int) { return QString(); },
         &tools::Preferences::threads);
     form->addRow(QString(), note(tr("How many things the program works on at once, from the next "

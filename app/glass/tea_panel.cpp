@@ -139,7 +139,7 @@ void TeaPanel::add_next_glass(QVBoxLayout* column) {
         grid->addWidget(label, row, 0);
         grid->addWidget(number, row, 1, 1, 2);
     };
-    add(tr("Cells a side"), cells_);
+    add(tr("Fineness"), cells_);
     add(tr("Drops of milk"), parcels_);
     milk_ = add_row(grid, poured_milk());
     connect(cells_, &QComboBox::activated, this,

@@ -1,6 +1,7 @@
 #include "main/panel_set.hpp"
 
 #include "appearance/shown_names.hpp"
+#include "appearance/terms.hpp"
 #include "brush/preset.hpp"
 #include "main/studio.hpp"
 #include "panels/canvas/easel_panel.hpp"
@@ -95,6 +96,7 @@ panels::ToolBar* make_tool_bar(Studio& studio, const PanelSet& panels) {
     QToolButton* turns = add_button(Command::TurnWithStroke, QObject::tr("Turns"));
     bar->addSeparator();
     QAction* medium = bar->add_word(QObject::tr("Medium "));
+    appearance::explain(bar->widgetForAction(medium), appearance::Term::Medium);
     bar->addWidget(panels.medium);
     bar->addWidget(panels.thinning);
     add_button(Command::ThinWash, QObject::tr("Wash"));

@@ -157,7 +157,7 @@ TEST_F(RepaintWindowTest, TheDialogSaysWhatItTakes) {
     cells.setValue(16.0);
     const QString words = find<QLabel>(dialog, "summary").text();
     EXPECT_TRUE(
-        words.startsWith(QStringLiteral("960 × 640 pixels, which take about 0.2 GiB of memory; ")))
+        words.startsWith(QStringLiteral("960 × 640 pixels, which take about 0.2 GB of memory; ")))
         << words.toStdString();
     dialog.reject();
 }

@@ -1,10 +1,13 @@
 // What a screen reader and the pointer are told of everything in the window.
 #include "app/window_fixture.hpp"
 #include "appearance/said_value.hpp"
+#include "appearance/terms.hpp"
 #include "main/window_parts.hpp"
 #include "panels/canvas/light_dial.hpp"
 #include "panels/canvas/tilt_dial.hpp"
 #include "panels/pen/curve_editor.hpp"
+
+#include <utility>
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -15,6 +18,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTabBar>
 #include <QTest>
@@ -148,6 +152,31 @@ TEST_F(SaidWindow, EveryControlSaysWhatItDoes) {
             << words_for(*widget);
     }
     EXPECT_GT(count, 60);
+}
+
+/// That the pointer is told over the label of those words.
+QString hint_over(const QWidget& window, const QString& words) {
+    for (const QWidget* one : window.findChildren<QLabel*>()) {
+        if (static_cast<const QLabel*>(one)->text() != words) continue;
+        while (one != nullptr && one->toolTip().isEmpty())
+            one = one->parentWidget();
+        return one == nullptr ? QString() : one->toolTip();
+    }
+    return {};
+}
+
+TEST_F(SaidWindow, WordsOfTheTradeAreExplained) {
+    using appearance::Term;
+    for (const auto& [words, term] : {std::pair{"Tilt", Term::Tilt},
+                                      {"Drying", Term::Drying},
+                                      {"Steady", Term::Steadying},
+                                      {"Harmony", Term::Harmony},
+                                      {"Gamut mask", Term::GamutMask},
+                                      {"Varnish", Term::Varnish},
+                                      {"Seen in", Term::Seen},
+                                      {"Medium ", Term::Medium}})
+        EXPECT_EQ(hint_over(window(), QString::fromLatin1(words)), appearance::explanation(term))
+            << words;
 }
 
 TEST_F(SaidWindow, ButtonsOfCommandsSayTheirKey) {

@@ -63,7 +63,7 @@ Facts machine_facts() {
                                                  QString::fromLatin1(core::name_of(core::best_isa()))));
     facts.emplace_back(
         tr("Free memory"),
-        tr("%1 GiB").arg(static_cast<double>(core::available_memory_bytes()) / kGiB, 0, 'f', 1));
+        tr("%1 GB").arg(static_cast<double>(core::available_memory_bytes()) / kGiB, 0, 'f', 1));
     facts.emplace_back(tr("Windows by"), QGuiApplication::platformName());
     facts.emplace_back(tr("Screen"), screen_words());
     add_opengl(facts);

@@ -1,5 +1,6 @@
 #include "panels/canvas/easel_panel.hpp"
 
+#include "appearance/terms.hpp"
 #include "panels/canvas/light_dial.hpp"
 #include "panels/canvas/tilt_dial.hpp"
 #include "panels/parts/labels.hpp"
@@ -101,8 +102,12 @@ EaselPanel::EaselPanel(QWidget* parent)
     light_boxes_ = {degrees_box("light_height", tr("How high the lamp stands"),
                                 kZenith_deg - light_->full_angle_deg(), kZenith_deg),
                     azimuth_box("light_direction", tr("Where the light comes from: 0 right, 90 top"))};
-    row->addWidget(column(tr("Tilt"), tilt_, tilt_boxes_));
-    row->addWidget(column(tr("Light"), light_, light_boxes_));
+    const auto add_column = [&](QWidget* column, appearance::Term term) {
+        appearance::explain(column, term);
+        row->addWidget(column);
+    };
+    add_column(column(tr("Tilt"), tilt_, tilt_boxes_), appearance::Term::Tilt);
+    add_column(column(tr("Light"), light_, light_boxes_), appearance::Term::Lamp);
     connect(tilt_, &DirectionDial::dragged, this, &EaselPanel::tell_tilt);
     connect(light_, &DirectionDial::dragged, this, &EaselPanel::tell_light);
     connect(tilt_boxes_.angle, &QDoubleSpinBox::valueChanged, this,
@@ -167,6 +172,7 @@ QWidget* EaselPanel::drying_row() {
     keep_keys_for_canvas(drying_);
     drying_reading_->setObjectName(QStringLiteral("reading"));
     drying_reading_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    appearance::explain(widget, appearance::Term::Drying);
     layout->addWidget(headed_row(tr("Drying"), drying_reading_));
     layout->addWidget(drying_);
     return widget;

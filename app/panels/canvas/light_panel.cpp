@@ -1,5 +1,6 @@
 #include "panels/canvas/light_panel.hpp"
 
+#include "appearance/terms.hpp"
 #include "panels/canvas/illuminant_box.hpp"
 #include "panels/canvas/light_dial.hpp"
 #include "panels/parts/section.hpp"
@@ -50,6 +51,7 @@ LightPanel::LightPanel(QWidget* parent)
     column->addWidget(lamp_section());
     auto* seen_in = new QWidget;
     illuminant_->setObjectName(QStringLiteral("illuminant"));
+    appearance::explain(seen_in, appearance::Term::Seen);
     section(seen_in, tr("Seen in"))->addWidget(illuminant_);
     column->addWidget(varnish_section());
     column->addWidget(seen_in);
@@ -62,6 +64,7 @@ LightPanel::LightPanel(QWidget* parent)
 
 QWidget* LightPanel::lamp_section() {
     auto* widget = new QWidget;
+    appearance::explain(widget, appearance::Term::Lamp);
     auto* layout = section(widget, tr("Lamp"));
     keep_keys_for_canvas(dial_);
     dial_->setAccessibleName(tr("Lamp"));
@@ -101,6 +104,7 @@ QWidget* LightPanel::lamp_section() {
 
 QWidget* LightPanel::varnish_section() {
     auto* widget = new QWidget;
+    appearance::explain(widget, appearance::Term::Varnish);
     auto* layout = section(widget, tr("Varnish"));
     finish_->setObjectName(QStringLiteral("varnish"));
     finish_->setAccessibleName(tr("Varnish"));

@@ -1,5 +1,6 @@
 #include "panels/colour/aids_part.hpp"
 
+#include "appearance/terms.hpp"
 #include "panels/parts/section.hpp"
 
 #include <cmath>
@@ -53,9 +54,14 @@ AidsPart::AidsPart(QWidget* parent)
     auto* grid = new QGridLayout;
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(1, 1);
-    grid->addWidget(new QLabel(tr("Harmony")), 0, 0);
+    const auto add_words = [grid](int row, const QString& words, appearance::Term term) {
+        auto* label = new QLabel(words);
+        appearance::explain(label, term);
+        grid->addWidget(label, row, 0);
+    };
+    add_words(0, tr("Harmony"), appearance::Term::Harmony);
     grid->addWidget(harmony_, 0, 1, 1, 2);
-    grid->addWidget(new QLabel(tr("Gamut mask")), 1, 0);
+    add_words(1, tr("Gamut mask"), appearance::Term::GamutMask);
     grid->addWidget(shape_, 1, 1);
     grid->addWidget(turn_, 1, 2);
     column()->addLayout(grid);

@@ -85,7 +85,7 @@ void HistoryPanel::show_steps(const session::Steps& steps, int budget_MiB) {
     const QModelIndex present = model_->index(model_->present_row());
     list_->setCurrentIndex(present);
     list_->scrollTo(present);
-    memory_->setText(tr("%1 of %2 MiB")
+    memory_->setText(tr("%1 of %2 MB")
                          .arg(std::lround(mebibytes(steps.past) + mebibytes(steps.future)))
                          .arg(budget_MiB));
 }

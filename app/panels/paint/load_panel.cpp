@@ -1,5 +1,6 @@
 #include "panels/paint/load_panel.hpp"
 
+#include "appearance/terms.hpp"
 #include "panels/paint/load_bar.hpp"
 #include "panels/paint/paint_swatch.hpp"
 #include "panels/paint/paint_words.hpp"
@@ -34,6 +35,7 @@ LoadPanel::LoadPanel(const std::vector<QAction*>& actions, QAction* swap, QWidge
     : QWidget(parent), bar_(new LoadBar), fullness_(new QLabel), way_(new QComboBox) {
     auto* column = section(this, tr("On the brush"));
     fullness_->setObjectName(QStringLiteral("reading"));
+    appearance::explain(fullness_, appearance::Term::Load);
     constexpr int kColumns = 2;
     auto* buttons = new QGridLayout;
     buttons->setSpacing(4);

@@ -102,8 +102,8 @@ void StatusReadings::show_speed(bool shown) {
 
 void StatusReadings::show_memory() {
     const double GiB = static_cast<double>(core::resident_memory_bytes()) / (1 << 30);
-    memory_->setText(GiB < 1.0 ? tr("%1 MiB").arg(std::lround(1024.0 * GiB))
-                               : tr("%1 GiB").arg(GiB, 0, 'f', 1));
+    memory_->setText(GiB < 1.0 ? tr("%1 MB").arg(std::lround(1024.0 * GiB))
+                               : tr("%1 GB").arg(GiB, 0, 'f', 1));
 }
 
 void StatusReadings::show_selection(const QString& drawing, std::optional<double> share) {

@@ -1,5 +1,6 @@
 #include "panels/pen/brush_panel.hpp"
 
+#include "appearance/terms.hpp"
 #include "panels/parts/section.hpp"
 #include "tools/hand.hpp"
 
@@ -185,10 +186,11 @@ QWidget* BrushPanel::make_stabiliser_rows() {
     grid->setVerticalSpacing(4);
     auto* label = new QLabel(tr("Steady"));
     label->setObjectName(QStringLiteral("reading"));
+    appearance::explain(label, appearance::Term::Steadying);
     steady_mode_ = new QComboBox;
     steady_mode_->setObjectName(QStringLiteral("steady_mode"));
     steady_mode_->setAccessibleName(tr("How the hand is steadied"));
-    steady_mode_->setToolTip(tr("How a trembling hand is steadied, besides the brush's own smoothing"));
+    appearance::explain(steady_mode_, appearance::Term::Steadying);
     steady_mode_->addItem(tr("off"), static_cast<int>(SteadyMode::Off));
     steady_mode_->addItem(tr("lags behind"), static_cast<int>(SteadyMode::Time));
     steady_mode_->addItem(tr("pulled on a string"), static_cast<int>(SteadyMode::String));
