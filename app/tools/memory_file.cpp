@@ -20,6 +20,15 @@ void read_memory(const std::filesystem::path& file, int version,
     read(root);
 }
 
+files::Json memory_in(const std::filesystem::path& file) {
+    try {
+        if (!core::is_there(file)) return {};
+        return files::parse_json(core::read_text_file(file, kMostBytes), file.string());
+    } catch (const core::InputError&) {
+        return {};  // whoever reads it tells the painter
+    }
+}
+
 void write_memory(const files::Json& root, const std::filesystem::path& file) {
     std::error_code failure;
     std::filesystem::create_directories(file.parent_path(), failure);

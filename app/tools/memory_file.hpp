@@ -13,6 +13,9 @@ namespace pastoso::tools {
 void read_memory(const std::filesystem::path& file, int version,
                  const std::function<void(const files::JsonPlace& root)>& read);
 
+/// What stands in the file; null where there is none, and where it is no JSON.
+files::Json memory_in(const std::filesystem::path& file);
+
 /// Written aside, its folder made where there is none. Throws InputError where that cannot be written.
 void write_memory(const files::Json& root, const std::filesystem::path& file);
 

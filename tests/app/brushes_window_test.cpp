@@ -2,6 +2,7 @@
 #include "app/window_fixture.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "core/user_data.hpp"
 #include "document/actions/actions.hpp"
 #include "main/window_parts.hpp"
 #include "panels/paint/load_bar.hpp"
@@ -523,6 +524,28 @@ TEST_F(BrushLibrary, StandsInThePaintersOrderAtTheNextStartToo) {
     const std::vector<std::string> starred = names();
     move(starred[1], Qt::Key_Up);
     EXPECT_EQ(names(), (std::vector<std::string>{starred[1], starred[0]}));
+}
+
+TEST_F(BrushLibrary, WhatAnotherWindowHasStarredMeanwhileStaysSo) {
+    const auto shelf_file = core::user_data_path("brush-shelf.json");
+    click(QStringLiteral("Mine"));
+    favourite().trigger();
+    tools::BrushShelf theirs = tools::read_brush_shelf(shelf_file);
+    tools::set_favourite("Fan 26", true, theirs);
+    tools::set_tag("Fan 26", "grass", true, theirs);
+    tools::write_brush_shelf(theirs, shelf_file);
+    click(QStringLiteral("Filbert 14"));
+    favourite().trigger();
+    start_again();
+    const tools::BrushShelf both = tools::read_brush_shelf(shelf_file);
+    EXPECT_THAT(both.favourites, testing::UnorderedElementsAre("Mine", "Fan 26", "Filbert 14"));
+    EXPECT_NE(tools::find_tag("grass", both), nullptr);
+    choose_folder(QStringLiteral("Favourites"));
+    click(QStringLiteral("Mine \u2605"));
+    favourite().trigger();
+    start_again();
+    EXPECT_THAT(tools::read_brush_shelf(shelf_file).favourites,
+                testing::UnorderedElementsAre("Fan 26", "Filbert 14"));
 }
 
 TEST_F(BrushLibrary, TagsAreFoldersThatAreFoundAgain) {

@@ -30,7 +30,8 @@ PaintSettings::PaintSettings(Studio& studio, Loading& loading, panels::ColourPan
     : studio_(studio),
       loading_(loading),
       colours_(colours),
-      file_(studio, core::user_data_path("paints.json")) {
+      file_(studio, core::user_data_path("paints.json"),
+            [](const auto& file) { tools::read_shelf(file); }) {
     changed_.setSingleShot(true);
     changed_.setInterval(kSettling_ms);
     connect(&changed_, &QTimer::timeout, this, &PaintSettings::keep);

@@ -33,7 +33,8 @@ TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
     : studio_(studio),
       panel_(tubes),
       all_(tubes_of(tubes->tubes())),
-      file_(studio, core::user_data_path("tubes.json")) {
+      file_(studio, core::user_data_path("tubes.json"),
+            [](const auto& file) { tools::read_rack(file); }) {
     panels::TubeMenu& sets = panel_->sets();
     connect(panel_, &panels::PaintPanel::arranged, this,
             [this] { change([this](auto& rack) { tools::arrange(tubes_of(panel_->tubes()), rack); }); });

@@ -32,7 +32,10 @@ std::vector<std::string> all_tools(const panels::BrushPanel& panel, const tools:
 }  // namespace
 
 BrushShelving::BrushShelving(Studio& studio, const BrushJar& jar, panels::BrushPanel* brushes)
-    : studio_(studio), brushes_(brushes), file_(studio, core::user_data_path("brush-shelf.json")) {
+    : studio_(studio),
+      brushes_(brushes),
+      file_(studio, core::user_data_path("brush-shelf.json"),
+            [](const auto& file) { tools::read_brush_shelf(file); }) {
     studio_.commands().on(Command::FavouriteBrush, [this](bool favourite) { set_favourite(favourite); });
     connect(&studio_, &Studio::hand_changed, this, &BrushShelving::note);
     connect(brushes_, &panels::BrushPanel::arranged, this, &BrushShelving::arrange);

@@ -54,7 +54,8 @@ PopupCommands::PopupCommands(Studio& studio, BrushJar& brushes, const Swatches& 
       brushes_(brushes),
       swatches_(swatches),
       colours_(colours),
-      file_(studio, core::user_data_path("popup.json")) {
+      file_(studio, core::user_data_path("popup.json"),
+            [](const auto& file) { tools::read_tool_slots(file); }) {
     studio_.commands().on(Command::PopupPalette, [this](bool) { open_at_pointer(); });
     for (const interactions::OnCanvas* on : studio_.on_views())
         connect(&on->buttons, &interactions::Buttons::palette_wanted, this, &PopupCommands::open);

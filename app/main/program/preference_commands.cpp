@@ -36,7 +36,7 @@ PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo, Colou
     : studio_(studio),
       undo_(undo),
       colours_(colours),
-      file_(studio, preferences_file()),
+      file_(studio, preferences_file(), [](const auto& file) { tools::read_preferences(file); }),
       desktop_(desktop_bus()) {
     studio_.commands().on(Command::EditSettings, [this](bool) { ask(Page::Appearance); });
     studio_.commands().on(Command::UndoMemory, [this](bool) { ask(Page::Keeping); });

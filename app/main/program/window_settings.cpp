@@ -60,7 +60,8 @@ WindowSettings::WindowSettings(Studio& studio, const PanelSet& panels, LightChoi
       start_(start),
       brush_editing_(brush_editing),
       tour_(tour),
-      file_(studio, core::user_config_path("settings.json")) {}
+      file_(studio, core::user_config_path("settings.json"),
+            [](const auto& file) { tools::read_settings(file); }) {}
 
 bool WindowSettings::recall() {
     QMainWindow& window = studio_.window();

@@ -39,7 +39,8 @@ WorkspaceCommands::WorkspaceCommands(Studio& studio, const PanelSet& panels)
     : studio_(studio),
       panels_(panels),
       menu_(menu_of(studio.window().menuBar(), studio.commands().action(Command::SaveWorkspace))),
-      file_(studio, core::user_config_path("workspaces.json")) {
+      file_(studio, core::user_config_path("workspaces.json"),
+            [](const auto& file) { tools::read_workspaces(file); }) {
     connect_commands();
     // What stands in the canvas' place has no panels.
     connect(menu_, &QMenu::aboutToShow, this, [this] {
