@@ -3,8 +3,8 @@
 #include "core/units.hpp"
 #include "interactions/event_place.hpp"
 #include "interactions/guide_lines.hpp"
+#include "interactions/guide_ways.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pastoso::interactions {
@@ -22,17 +22,10 @@ void Guides::show_handles(bool shown) {
     canvas_.refresh();
 }
 
-/// How far from its centre a mirror is turned.
-double Guides::axis_mm() const {
-    constexpr double kShare = 0.4;
-    const glm::dvec2 canvas = canvas_.canvas_size_mm();
-    return kShare * std::min(canvas.x, canvas.y);
-}
-
 Took Guides::press(const input::PointerEvent& event) {
     if (!handles_shown_ || event.button != Qt::LeftButton) return Took::Nothing;
-    const bool held =
-        drag_.press(easel_.hand(), place_mm(event), axis_mm(), kReach_px * canvas_.px_mm());
+    const bool held = drag_.press(easel_.hand(), place_mm(event), canvas_.canvas_size_mm(),
+                                  kReach_px * canvas_.px_mm());
     return held ? Took::Pointer : Took::Nothing;
 }
 
@@ -42,9 +35,10 @@ void Guides::drag(const input::PointerEvent& event) {
 }
 
 void Guides::draw(const view::Overlay& overlay) {
-    constexpr float kFaint = 0.6F;
-    overlay.painter.draw_segments(guide_lines_mm(easel_.hand(), canvas_.canvas_size_mm()),
-                                  overlay.canvas, kFaint);
+    constexpr float kFaint = 0.6F, kFaintest = 0.3F;
+    const glm::dvec2 canvas_mm = canvas_.canvas_size_mm();
+    overlay.painter.draw_segments(ways_mm(easel_.hand().laid, canvas_mm), overlay.canvas, kFaintest);
+    overlay.painter.draw_segments(guide_lines_mm(easel_.hand(), canvas_mm), overlay.canvas, kFaint);
     if (handles_shown_) draw_handles(overlay);
 }
 
@@ -53,7 +47,8 @@ void Guides::draw_handles(const view::Overlay& overlay) const {
     constexpr double kRadius_px = 5.0;
     constexpr int kCorners = 20;
     const double radius_mm = kRadius_px * overlay.px_mm;
-    for (const tools::PlacedHandle& handle : tools::guide_handles(easel_.hand(), axis_mm())) {
+    const auto handles = tools::guide_handles(easel_.hand(), canvas_.canvas_size_mm());
+    for (const tools::PlacedHandle& handle : handles) {
         std::vector<glm::vec2> ring;
         for (int i = 0; i < kCorners; ++i) {
             const double angle = 2.0 * core::kPi * i / kCorners;

@@ -25,7 +25,6 @@ class Guides : public QObject, public view::Interaction {
     void dragged(const tools::Guide& guide);
 
   private:
-    double axis_mm() const;
     void draw_handles(const view::Overlay& overlay) const;
 
     view::CanvasView& canvas_;

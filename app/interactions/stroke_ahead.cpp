@@ -21,8 +21,9 @@ void StrokeAhead::begin(const brush::HandPath& path, const brush::PenSample& sam
     lifted_ = path_ = path;
     samples_ = {{sample, number}};
     places_.clear();
-    path_->begin(sample);
-    take_steps(number);
+    choice_ = brush::GuideChoice(path.guide());
+    begun_ = false;
+    follow(choice_.add(sample), number);
     forecast_.start(sample);
     rests_ = false;
 }
@@ -30,8 +31,7 @@ void StrokeAhead::begin(const brush::HandPath& path, const brush::PenSample& sam
 void StrokeAhead::add(const brush::PenSample& sample, std::uint64_t number) {
     if (!path_) return;
     samples_.push_back({sample, number});
-    path_->add(sample);
-    take_steps(number);
+    follow(choice_.add(sample), number);
     forecast_.add(sample);
     rests_ = false;
 }
@@ -50,6 +50,7 @@ void StrokeAhead::turn(double rotation_deg) {
 
 void StrokeAhead::end(std::uint64_t number) {
     if (!path_) return;
+    follow(choice_.end(), number);
     path_->end();
     take_steps(number);
     path_.reset();
@@ -72,6 +73,19 @@ std::vector<brush::PenSample> StrokeAhead::places() const {
     return places;
 }
 
+void StrokeAhead::follow(const std::vector<brush::PenSample>& samples, std::uint64_t number) {
+    for (const brush::PenSample& sample : samples) {
+        if (begun_) {
+            path_->add(sample);
+            continue;
+        }
+        begun_ = true;
+        path_->keep_to(choice_.guide());
+        path_->begin(sample);
+    }
+    if (begun_) take_steps(number);
+}
+
 void StrokeAhead::take_steps(std::uint64_t number) {
     for (const brush::PathStep& step : path_->take_steps())
         places_.push_back({step.pen, number});
@@ -87,7 +101,7 @@ brush::PenSample StrokeAhead::expected(int number) const {
 }
 
 std::vector<brush::PathStep> StrokeAhead::foretold() const {
-    if (!path_) return {};
+    if (!path_ || !begun_) return {};
     brush::HandPath path = *path_;
     for (int i = 1; i <= kForetold; ++i)
         path.add(expected(i));

@@ -2,6 +2,7 @@
 // where the hand is about to be.
 #pragma once
 
+#include "brush/guide_choice.hpp"
 #include "brush/hand_path.hpp"
 #include "input/pen_forecast.hpp"
 
@@ -44,11 +45,14 @@ class StrokeAhead {
         brush::PenSample pen;
         std::uint64_t number;  ///< of the action that told it, or led there
     };
+    void follow(const std::vector<brush::PenSample>& samples, std::uint64_t number);
     void take_steps(std::uint64_t number);
     brush::PenSample expected(int number) const;
     std::vector<brush::PathStep> foretold() const;
 
     std::optional<brush::HandPath> lifted_, path_;  ///< before the stroke; none after it
+    brush::GuideChoice choice_;
+    bool begun_ = false;                            ///< the path is
     std::vector<Told> samples_;                     ///< of the stroke
     std::deque<Told> places_;                       ///< but for those before the last one shown
     std::uint64_t shown_ = 0;

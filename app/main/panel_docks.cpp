@@ -58,8 +58,7 @@ constexpr std::pair<Command, const char*> kButtonWords[] = {
     {Command::PickColour, QT_TR_NOOP("Pick colour")},
     {Command::MirrorSymmetry, QT_TR_NOOP("Left, right")},
     {Command::MirrorLevel, QT_TR_NOOP("Above, below")},
-    {Command::Ruler, QT_TR_NOOP("Along the last stroke")},
-    {Command::Ellipse, QT_TR_NOOP("On the canvas")},
+    {Command::SnapToGuide, QT_TR_NOOP("Snap")},
     {Command::TracePicture, QT_TR_NOOP("Choose...")},
     {Command::RemoveTracing, QT_TR_NOOP("Take away")},
     {Command::ShowTracing, QT_TR_NOOP("Below the paint")},
@@ -83,8 +82,8 @@ void make_panels(Studio& studio, PanelSet& panels) {
     panels.colours = new panels::ColourPanel({action(Command::PickPaint), action(Command::PickColour)});
     panels.physics = new panels::MediumPanel;
     panels.guides = new panels::GuidesPanel(
-        {action(Command::MirrorSymmetry), action(Command::MirrorLevel), action(Command::Ruler),
-         action(Command::Ellipse), action(Command::GuideHandles), action(Command::RemoveGuides)});
+        {action(Command::MirrorSymmetry), action(Command::MirrorLevel), action(Command::SnapToGuide),
+         action(Command::GuideHandles), action(Command::RemoveGuides)});
     panels.lights = new panels::LightPanel;
     panels.layers = make_layer_panel(studio);
     panels.tracing =

@@ -93,10 +93,41 @@ brush::Symmetry moved(brush::Symmetry symmetry, const CanvasMove& move) {
     return symmetry;
 }
 
+brush::VanishingPoints moved(brush::VanishingPoints points, const CanvasMove& move) {
+    move_point(move, points.x1_mm, points.y1_mm);
+    move_point(move, points.x2_mm, points.y2_mm);
+    move_point(move, points.x3_mm, points.y3_mm);
+    points.level_deg = moved_deg(points.level_deg, move);
+    points.upright_deg = moved_deg(points.upright_deg, move);
+    return points;
+}
+
+/// Of lines that have come to run in that direction: a strip between two becomes as much wider as its
+/// area does, and narrower as it becomes longer.
+double moved_spacing_mm(double spacing_mm, double direction_deg, const CanvasMove& move) {
+    if (move.scale == glm::dvec2(1.0)) return spacing_mm;
+    const double angle = core::radians(direction_deg);
+    return spacing_mm * std::hypot(move.scale.y * std::cos(angle), move.scale.x * std::sin(angle));
+}
+
+brush::Grid moved(brush::Grid grid, const CanvasMove& move) {
+    move_point(move, grid.x_mm, grid.y_mm);
+    grid.direction_deg = moved_deg(grid.direction_deg, move);
+    grid.other_direction_deg = moved_deg(grid.other_direction_deg, move);
+    grid.spacing_mm = moved_spacing_mm(grid.spacing_mm, grid.direction_deg, move);
+    grid.other_spacing_mm = moved_spacing_mm(grid.other_spacing_mm, grid.other_direction_deg, move);
+    return grid;
+}
+
+/// What lies nowhere stays as it is.
+template <class Form>
+Form moved(Form form, const CanvasMove&) {
+    return form;
+}
+
 brush::PenGuide moved(brush::PenGuide guide, const CanvasMove& move) {
-    if (const auto* ruler = std::get_if<brush::Ruler>(&guide.form)) guide.form = moved(*ruler, move);
-    if (const auto* ellipse = std::get_if<brush::EllipseCurve>(&guide.form))
-        guide.form = moved(*ellipse, move);
+    std::visit([&](const auto& form) { guide.form = moved(form, move); },
+               decltype(guide.form)(guide.form));
     return guide;
 }
 
@@ -160,8 +191,7 @@ double straightening_deg(const brush::Ruler& ruler) {
 
 Hand moved_along(Hand hand, const CanvasMove& move) {
     hand.symmetry = moved(hand.symmetry, move);
-    if (hand.ruler) hand.ruler = moved(*hand.ruler, move);
-    if (hand.ellipse) hand.ellipse = moved(*hand.ellipse, move);
+    hand.laid = moved(hand.laid, move);
     hand.guide = moved(hand.guide, move);
     move_point(move, hand.air.fan_x_mm, hand.air.fan_y_mm);
     hand.air.fan_radius_mm *= std::sqrt(move.scale.x * move.scale.y);

@@ -46,10 +46,13 @@ void keep_preset(Hand& hand, const brush::Preset& preset) {
     hand.own_preset = is_bundled ? std::nullopt : std::optional(preset);
 }
 
+bool is_some(const brush::PenGuide& guide) {
+    return !std::holds_alternative<std::monostate>(guide.form);
+}
+
 /// Whether it is one that lies on the canvas until it is taken away.
 bool is_laid(const brush::PenGuide& guide) {
-    return std::holds_alternative<brush::Ruler>(guide.form) ||
-           std::holds_alternative<brush::EllipseCurve>(guide.form);
+    return is_some(guide) && !std::holds_alternative<brush::StraightLine>(guide.form);
 }
 
 }  // namespace
@@ -230,31 +233,19 @@ void Easel::set_symmetry(const brush::Symmetry& symmetry) {
     post_(SetSymmetry{symmetry});
 }
 
-void Easel::lay_ruler(const brush::Ruler& otherwise) {
+brush::Ruler Easel::ruler_along_stroke(const brush::Ruler& otherwise) const {
     const double x_mm = latest_.x_mm - pressed_.x_mm, y_mm = latest_.y_mm - pressed_.y_mm;
     const bool has_direction = std::hypot(x_mm, y_mm) >= kShortestRuler_mm;
-    hand_.ruler = has_direction ? brush::Ruler{pressed_.x_mm, pressed_.y_mm, latest_.x_mm, latest_.y_mm}
-                                : otherwise;
-    hand_.ellipse.reset();
+    return has_direction ? brush::Ruler{pressed_.x_mm, pressed_.y_mm, latest_.x_mm, latest_.y_mm}
+                         : otherwise;
 }
 
-void Easel::move_ruler(const brush::Ruler& ruler) {
-    hand_.ruler = ruler;
-    hand_.ellipse.reset();
+void Easel::lay_guide(const brush::PenGuide& guide) {
+    hand_.laid = guide;
 }
 
-void Easel::take_ruler_away() {
-    hand_.ruler.reset();
-    forget_guide();
-}
-
-void Easel::lay_ellipse(const brush::EllipseCurve& ellipse) {
-    hand_.ellipse = ellipse;
-    hand_.ruler.reset();
-}
-
-void Easel::take_ellipse_away() {
-    hand_.ellipse.reset();
+void Easel::take_guide_away() {
+    hand_.laid.form = {};
     forget_guide();
 }
 
@@ -441,11 +432,9 @@ void Easel::choose_guide(const Pointer& pointer, bool straight) {
     brush::PenGuide guide;
     if (straight)
         guide.form = brush::StraightLine{};
-    else if (hand_.ruler)
-        guide.form = *hand_.ruler;
-    else if (hand_.ellipse)
-        guide.form = *hand_.ellipse;
-    const bool guides = !std::holds_alternative<std::monostate>(guide.form);
+    else if (is_some(hand_.laid))
+        guide = hand_.laid;
+    const bool guides = is_some(guide) && guide.strength > 0.0;
     guide.turn_across = guides && hand_.turn_with_stroke && !pointer.rotation_deg;
     if (guide == hand_.guide) return;
     hand_.guide = guide;

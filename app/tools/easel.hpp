@@ -93,15 +93,12 @@ class Easel {
     void set_stabiliser(const brush::Stabiliser& stabiliser);
     void set_symmetry(const brush::Symmetry& symmetry);
 
-    /// Lays a ruler along the latest stroke, or `otherwise` where there is none worth it; every stroke
-    /// follows it until it is taken away.
-    void lay_ruler(const brush::Ruler& otherwise);
-    void move_ruler(const brush::Ruler& ruler);
-    void take_ruler_away();
+    /// Lays a guide in place of the one that lies there; every stroke follows it until it is taken away.
+    void lay_guide(const brush::PenGuide& guide);
+    void take_guide_away();  ///< its strength stays for the next one
 
-    /// Lays an ellipse, or moves the one that lies there; it takes the ruler's place.
-    void lay_ellipse(const brush::EllipseCurve& ellipse);
-    void take_ellipse_away();
+    /// A ruler along the latest stroke, or `otherwise` where there is none worth it.
+    brush::Ruler ruler_along_stroke(const brush::Ruler& otherwise) const;
 
     /// One of document::SelectionActions, document::MarginActions or document::MaskingActions.
     void select(const document::Action& selection);

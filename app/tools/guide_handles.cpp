@@ -1,17 +1,20 @@
 #include "tools/guide_handles.hpp"
 
-#include "core/check.hpp"
 #include "core/units.hpp"
+#include "tools/laid_guide.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace pastoso::tools {
 namespace {
 
 constexpr double kAngleStep_deg = 15.0;
+
+using Form = decltype(brush::PenGuide::form);
 
 /// Shorter guides have no direction worth following.
 constexpr double kLeastLength_mm = 1.0;
@@ -86,30 +89,153 @@ brush::EllipseCurve dragged_ellipse(brush::EllipseCurve ellipse, Handle handle,
     return ellipse;
 }
 
-}  // namespace
+/// Where a vanishing point's members are.
+struct PointMembers {
+    double brush::VanishingPoints::*x_mm;
+    double brush::VanishingPoints::*y_mm;
+};
+constexpr PointMembers kPoints[] = {{&brush::VanishingPoints::x1_mm, &brush::VanishingPoints::y1_mm},
+                                    {&brush::VanishingPoints::x2_mm, &brush::VanishingPoints::y2_mm},
+                                    {&brush::VanishingPoints::x3_mm, &brush::VanishingPoints::y3_mm}};
+constexpr Handle kPointHandles[] = {Handle::FirstPoint, Handle::SecondPoint, Handle::ThirdPoint};
 
-std::vector<PlacedHandle> guide_handles(const Hand& hand, double axis_mm) {
-    std::vector<PlacedHandle> handles;
-    const brush::Symmetry& symmetry = hand.symmetry;
-    if (symmetry.mirror || symmetry.count > 1)
-        handles.push_back({Handle::SymmetryCentre, centre(symmetry)});
-    if (symmetry.mirror) {
-        handles.push_back(
-            {Handle::MirrorAxis, centre(symmetry) + axis_mm * direction(symmetry.axis_deg)});
+glm::dvec2 first_point(const brush::VanishingPoints& points) {
+    return {points.x1_mm, points.y1_mm};
+}
+
+brush::VanishingPoints dragged_points(brush::VanishingPoints points, Handle handle,
+                                      const glm::dvec2& place_mm, bool square) {
+    if (handle == Handle::Horizon) {
+        points.level_deg = std::remainder(angle_deg(first_point(points), place_mm, square), 180.0);
+        points.upright_deg = points.level_deg + 90.0;
+        return points;
     }
-    if (hand.ruler) {
-        handles.push_back({Handle::RulerStart, start(*hand.ruler)});
-        handles.push_back({Handle::RulerEnd, end(*hand.ruler)});
-        handles.push_back({Handle::RulerMiddle, 0.5 * (start(*hand.ruler) + end(*hand.ruler))});
+    for (int i = 0; i < points.count; ++i) {
+        if (handle != kPointHandles[i]) continue;
+        points.*kPoints[i].x_mm = place_mm.x;
+        points.*kPoints[i].y_mm = place_mm.y;
     }
-    if (hand.ellipse) {
-        const brush::EllipseCurve& ellipse = *hand.ellipse;
+    return with_horizon(points);
+}
+
+glm::dvec2 centre(const brush::Grid& grid) {
+    return {grid.x_mm, grid.y_mm};
+}
+
+/// How much longer the way along one family from line to line is than at right angles to them.
+double slant(const brush::Grid& grid) {
+    constexpr double kLeastSine = 0.05;
+    const double between = core::radians(grid.other_direction_deg - grid.direction_deg);
+    return 1.0 / std::max(std::abs(std::sin(between)), kLeastSine);
+}
+
+brush::Grid dragged_grid(brush::Grid grid, Handle handle, const glm::dvec2& place_mm, bool square) {
+    if (handle == Handle::GridMiddle) {
+        grid.x_mm = place_mm.x;
+        grid.y_mm = place_mm.y;
+        return grid;
+    }
+    const double length_mm = std::max(glm::distance(centre(grid), place_mm), kLeastLength_mm);
+    const double to_deg = angle_deg(centre(grid), place_mm, square);
+    if (handle == Handle::GridAlong) {
+        grid.other_direction_deg =
+            std::remainder(grid.other_direction_deg + to_deg - grid.direction_deg, 360.0);
+        grid.direction_deg = to_deg;
+        grid.other_spacing_mm = std::max(length_mm / slant(grid), kLeastLength_mm);
+        return grid;
+    }
+    grid.other_direction_deg = to_deg;
+    grid.spacing_mm = std::max(length_mm / slant(grid), kLeastLength_mm);
+    return grid;
+}
+
+/// Puts up the handles of what is laid.
+struct HandlePlacer {
+    const glm::dvec2& canvas_mm;
+    std::vector<PlacedHandle>& handles;
+
+    void add(Handle handle, const glm::dvec2& place_mm) const {
+        handles.push_back({handle, place_mm, place_mm});
+    }
+    bool is_on_canvas(const glm::dvec2& point_mm) const {
+        return point_mm == glm::clamp(point_mm, glm::dvec2(0.0), canvas_mm);
+    }
+    void add_within_canvas(Handle handle, const glm::dvec2& point_mm) const {
+        constexpr double kMargin = 0.03;
+        const glm::dvec2 margin_mm(kMargin * std::min(canvas_mm.x, canvas_mm.y));
+        const glm::dvec2 place_mm =
+            is_on_canvas(point_mm) ? point_mm : glm::clamp(point_mm, margin_mm, canvas_mm - margin_mm);
+        handles.push_back({handle, place_mm, point_mm});
+    }
+    double axis_mm() const {
+        constexpr double kShare = 0.4;
+        return kShare * std::min(canvas_mm.x, canvas_mm.y);
+    }
+
+    void operator()(const brush::Symmetry& symmetry) const {
+        if (symmetry.mirror || symmetry.count > 1) add(Handle::SymmetryCentre, centre(symmetry));
+        if (symmetry.mirror)
+            add(Handle::MirrorAxis, centre(symmetry) + axis_mm() * direction(symmetry.axis_deg));
+    }
+    void operator()(const brush::Ruler& ruler) const {
+        add(Handle::RulerStart, start(ruler));
+        add(Handle::RulerEnd, end(ruler));
+        add(Handle::RulerMiddle, 0.5 * (start(ruler) + end(ruler)));
+    }
+    void operator()(const brush::EllipseCurve& ellipse) const {
         const glm::dvec2 along = direction(ellipse.turn_deg),
                          across = direction(ellipse.turn_deg + 90.0);
-        handles.push_back({Handle::EllipseCentre, centre(ellipse)});
-        handles.push_back({Handle::EllipseWidth, centre(ellipse) + ellipse.half_width_mm * along});
-        handles.push_back({Handle::EllipseHeight, centre(ellipse) + ellipse.half_height_mm * across});
+        add(Handle::EllipseCentre, centre(ellipse));
+        add(Handle::EllipseWidth, centre(ellipse) + ellipse.half_width_mm * along);
+        add(Handle::EllipseHeight, centre(ellipse) + ellipse.half_height_mm * across);
     }
+    void operator()(const brush::VanishingPoints& points) const {
+        for (int i = 0; i < points.count; ++i)
+            add_within_canvas(kPointHandles[i], {points.*kPoints[i].x_mm, points.*kPoints[i].y_mm});
+        if (points.count > 1 || !is_on_canvas(first_point(points))) return;
+        const glm::dvec2 level = direction(points.level_deg);
+        const bool ahead = glm::dot(0.5 * canvas_mm - first_point(points), level) >= 0.0;
+        add(Handle::Horizon, first_point(points) + (ahead ? axis_mm() : -axis_mm()) * level);
+    }
+    void operator()(const brush::Grid& grid) const {
+        add(Handle::GridMiddle, centre(grid));
+        add(Handle::GridAlong,
+            centre(grid) + slant(grid) * grid.other_spacing_mm * direction(grid.direction_deg));
+        add(Handle::GridAcross,
+            centre(grid) + slant(grid) * grid.spacing_mm * direction(grid.other_direction_deg));
+    }
+    void operator()(std::monostate) const {}
+    void operator()(const brush::StraightLine&) const {}
+};
+
+/// What is laid after its handle was dragged.
+struct Dragged {
+    Handle handle;
+    const glm::dvec2& place_mm;
+    bool square;
+
+    Form operator()(const brush::Ruler& ruler) const {
+        return dragged_ruler(ruler, handle, place_mm, square);
+    }
+    Form operator()(const brush::EllipseCurve& ellipse) const {
+        return dragged_ellipse(ellipse, handle, place_mm, square);
+    }
+    Form operator()(const brush::VanishingPoints& points) const {
+        return dragged_points(points, handle, place_mm, square);
+    }
+    Form operator()(const brush::Grid& grid) const {
+        return dragged_grid(grid, handle, place_mm, square);
+    }
+    Form operator()(const auto& other) const { return other; }
+};
+
+}  // namespace
+
+std::vector<PlacedHandle> guide_handles(const Hand& hand, const glm::dvec2& canvas_mm) {
+    std::vector<PlacedHandle> handles;
+    const HandlePlacer placer{canvas_mm, handles};
+    placer(hand.symmetry);
+    std::visit(placer, hand.laid.form);
     return handles;
 }
 
@@ -126,19 +252,11 @@ std::optional<PlacedHandle> handle_at(const std::vector<PlacedHandle>& handles,
 }
 
 Guide dragged(const Hand& hand, Handle handle, const glm::dvec2& place_mm, bool square) {
-    switch (handle) {
-        case Handle::SymmetryCentre:
-        case Handle::MirrorAxis:
-            return dragged_symmetry(hand.symmetry, handle, place_mm, square);
-        case Handle::RulerStart:
-        case Handle::RulerEnd:
-        case Handle::RulerMiddle:
-            PASTOSO_CHECK(hand.ruler.has_value());
-            return dragged_ruler(*hand.ruler, handle, place_mm, square);
-        default:
-            PASTOSO_CHECK(hand.ellipse.has_value());
-            return dragged_ellipse(*hand.ellipse, handle, place_mm, square);
-    }
+    if (handle == Handle::SymmetryCentre || handle == Handle::MirrorAxis)
+        return dragged_symmetry(hand.symmetry, handle, place_mm, square);
+    brush::PenGuide guide = hand.laid;
+    guide.form = std::visit(Dragged{handle, place_mm, square}, hand.laid.form);
+    return guide;
 }
 
 }  // namespace pastoso::tools

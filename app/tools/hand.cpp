@@ -47,10 +47,8 @@ struct HandChange {
         hand.guide = set.guide;
         // A stroke drawn straight leaves what is laid where it is.
         if (std::holds_alternative<brush::StraightLine>(set.guide.form)) return;
-        const auto* ruler = std::get_if<brush::Ruler>(&set.guide.form);
-        const auto* ellipse = std::get_if<brush::EllipseCurve>(&set.guide.form);
-        hand.ruler = ruler != nullptr ? std::optional(*ruler) : std::nullopt;
-        hand.ellipse = ellipse != nullptr ? std::optional(*ellipse) : std::nullopt;
+        hand.laid = set.guide;
+        hand.laid.turn_across = false;
     }
     template <class Other>
     requires(!document::Table<Other>::kTraits.in_set_up) void operator()(const Other&) const {}

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace pastoso::tools {
@@ -42,12 +43,21 @@ struct Hand {
     film::DryingAir air;
     brush::Stabiliser stabiliser;
     brush::Symmetry symmetry;
-    std::optional<brush::Ruler> ruler;           ///< lies on the canvas
-    std::optional<brush::EllipseCurve> ellipse;  ///< lies there in its place
-    brush::PenGuide guide;                       ///< that the latest stroke had
-    bool reload_each_stroke = true;              ///< a clean brush full of `paint` at every touch
+    brush::PenGuide laid;            ///< what lies on the canvas to guide strokes: no straight line
+    brush::PenGuide guide;           ///< that the latest stroke had
+    bool reload_each_stroke = true;  ///< a clean brush full of `paint` at every touch
     bool turn_with_stroke = true;  ///< a pen that does not tell its rotation turns across its path
     bool tilted = false;           ///< what does not tell its tilt holds the tool aslant
+
+    std::optional<brush::Ruler> ruler() const { return laid_form<brush::Ruler>(); }
+    std::optional<brush::EllipseCurve> ellipse() const { return laid_form<brush::EllipseCurve>(); }
+
+  private:
+    template <class Form>
+    std::optional<Form> laid_form() const {
+        const Form* form = std::get_if<Form>(&laid.form);
+        return form != nullptr ? std::optional(*form) : std::nullopt;
+    }
 };
 
 /// The brush in hand, as wide as its preset says.

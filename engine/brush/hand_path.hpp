@@ -19,11 +19,15 @@ struct HandAids {
 
 /// Samples are filled up along a smooth curve, filtered in time, led along the guide and walked in steps
 /// of equal length, whatever the rate of the samples. The brush follows the pen by the filter's time
-/// constant, one sample and 2 ms; end() catches up. A straight line has to be straight already. A copy
-/// goes on on its own.
+/// constant, one sample and 2 ms; end() catches up. What GuideChoice chooses has to be chosen already. A
+/// copy goes on on its own.
 class HandPath {
   public:
     HandPath(const Preset& preset, const Tip& tip, const HandAids& aids);
+
+    /// Leads the strokes from the next on.
+    void keep_to(const PenGuide& guide) { guide_ = guide; }
+    const PenGuide& guide() const { return guide_; }
 
     /// The pen touches down. All numbers of samples must be finite, pressures 0 to 1. Returns where the
     /// brush comes down.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pastoso::brush {
 namespace {
@@ -35,11 +36,14 @@ struct Follower {
 
     PenSample operator()(std::monostate) const { return sample; }
     PenSample operator()(const StraightLine&) const { return sample; }
+    PenSample operator()(const VanishingPoints&) const { return sample; }
+    PenSample operator()(const Grid&) const { return sample; }
     PenSample operator()(const Ruler& ruler) const;
     PenSample operator()(const EllipseCurve& ellipse) const;
 
     PenSample result(const Vector& place, const Vector& direction) const {
-        const PenSample led = moved(sample, place);
+        const PenSample led = moved(sample, {std::lerp(sample.x_mm, place.x, guide.strength),
+                                             std::lerp(sample.y_mm, place.y, guide.strength)});
         return guide.turn_across ? turned_across(led, direction, before.rotation_deg) : led;
     }
 };
@@ -100,6 +104,68 @@ PenSample Follower::operator()(const EllipseCurve& ellipse) const {
                   frame.turned_back({-unit.y, unit.x}));
 }
 
+/// The rulers that a stroke which starts at `down` may keep to.
+struct Rulers {
+    const PenSample& down;
+    double reach_mm;
+
+    std::vector<Ruler> operator()(const auto&) const { return {}; }
+    std::vector<Ruler> operator()(const VanishingPoints& points) const;
+    std::vector<Ruler> operator()(const Grid& grid) const;
+
+    Ruler from_down(const Vector& way) const {
+        return {down.x_mm, down.y_mm, down.x_mm + way.x, down.y_mm + way.y};
+    }
+};
+
+/// Long beside what the sums of millimetres are rounded to.
+constexpr double kRulerLength_mm = 100.0;
+
+Vector way_mm(double direction_deg) {
+    return {kRulerLength_mm * std::cos(core::radians(direction_deg)),
+            kRulerLength_mm * std::sin(core::radians(direction_deg))};
+}
+
+/// Nearer to a vanishing point no direction leads there.
+constexpr double kAtPoint_mm = 0.01;
+
+std::vector<Ruler> Rulers::operator()(const VanishingPoints& points) const {
+    const Vector all[] = {
+        {points.x1_mm, points.y1_mm}, {points.x2_mm, points.y2_mm}, {points.x3_mm, points.y3_mm}};
+    std::vector<Ruler> rulers;
+    for (int i = 0; i < points.count; ++i) {
+        const Vector way = {all[i].x - down.x_mm, all[i].y - down.y_mm};
+        if (std::hypot(way.x, way.y) >= kAtPoint_mm) rulers.push_back(from_down(way));
+    }
+    if (points.count < 2) rulers.push_back(from_down(way_mm(points.level_deg)));
+    if (points.count < 3) rulers.push_back(from_down(way_mm(points.upright_deg)));
+    return rulers;
+}
+
+std::vector<Ruler> Rulers::operator()(const Grid& grid) const {
+    const auto along = [&](double direction_deg, double spacing_mm) {
+        const Vector way = way_mm(direction_deg);
+        const Vector across = {-way.y / kRulerLength_mm, way.x / kRulerLength_mm};
+        const double beside_mm = (down.x_mm - grid.x_mm) * across.x + (down.y_mm - grid.y_mm) * across.y;
+        const double off_mm = beside_mm - spacing_mm * std::round(beside_mm / spacing_mm);
+        Ruler ruler = from_down(way);
+        if (std::abs(off_mm) > reach_mm) return ruler;
+        ruler.x1_mm -= off_mm * across.x;
+        ruler.y1_mm -= off_mm * across.y;
+        ruler.x2_mm -= off_mm * across.x;
+        ruler.y2_mm -= off_mm * across.y;
+        return ruler;
+    };
+    return {along(grid.direction_deg, grid.spacing_mm),
+            along(grid.other_direction_deg, grid.other_spacing_mm)};
+}
+
+/// How far the hand's way goes along a ruler, either way.
+double way_along(const Ruler& ruler, const Vector& way) {
+    const double x = ruler.x2_mm - ruler.x1_mm, y = ruler.y2_mm - ruler.y1_mm;
+    return std::abs(x * way.x + y * way.y) / std::hypot(x, y);
+}
+
 /// The share of the way from `from` to `to` at which the sample stands.
 double share_of_segment(const PenSample& sample, const PenSample& from, const PenSample& to) {
     const double x = to.x_mm - from.x_mm, y = to.y_mm - from.y_mm;
@@ -117,7 +183,24 @@ PenSample at_share(const PenSample& sample, const PenSample& from, const PenSamp
 
 PenSample guided(const PenGuide& guide, const PenSample& down, const PenSample& before,
                  const PenSample& sample) {
+    if (guide.strength == 0.0) return sample;
     return std::visit(Follower{guide, down, before, sample}, guide.form);
+}
+
+PenGuide chosen_for_stroke(const PenGuide& guide, const PenSample& down, const PenSample& now) {
+    PenGuide chosen = guide;
+    chosen.form = {};
+    chosen.reach_mm = std::numeric_limits<double>::infinity();
+    const Vector way = {now.x_mm - down.x_mm, now.y_mm - down.y_mm};
+    if (way.x == 0.0 && way.y == 0.0) return chosen;
+    double furthest_mm = -1.0;
+    for (const Ruler& ruler : std::visit(Rulers{down, guide.reach_mm}, guide.form)) {
+        const double along_mm = way_along(ruler, way);
+        if (along_mm <= furthest_mm) continue;
+        furthest_mm = along_mm;
+        chosen.form = ruler;
+    }
+    return chosen;
 }
 
 PenSample on_segment(const PenSample& sample, const PenSample& from, const PenSample& to) {

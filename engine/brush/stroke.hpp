@@ -31,13 +31,16 @@ namespace pastoso::brush {
 /// by an earlier or later state of the same canvas.
 class Stroke {
   public:
-    /// `placement` says where the brush stands for the hand. A straight line has to be straight already.
-    /// Tools change the cells of `limit` alone, which outlives the stroke (null: all of them), and those
-    /// of air blow only where the middle of their jet is on one. The bits do not depend on the threads
-    /// of `pool`, which outlives the stroke as well (null: one thread).
+    /// `placement` says where the brush stands for the hand. What GuideChoice chooses has to be chosen
+    /// already. Tools change the cells of `limit` alone, which outlives the stroke (null: all of them),
+    /// and those of air blow only where the middle of their jet is on one. The bits do not depend on the
+    /// threads of `pool`, which outlives the stroke as well (null: one thread).
     Stroke(Brush& brush, film::FilmState& film, const HandAids& aids = {},
            const Placement& placement = {}, const grid::Mask* limit = nullptr,
            core::ThreadPool* pool = nullptr);
+
+    /// Leads the strokes from the next on, in place of what the aids have.
+    void keep_to(const PenGuide& guide) { path_.keep_to(guide); }
 
     /// The pen touches down. All numbers of samples must be finite, pressures 0 to 1; far off the canvas
     /// they cost time and do nothing.

@@ -7,7 +7,7 @@ namespace pastoso::brush {
 
 StrokeGroup::StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids,
                          const Symmetry& symmetry, const grid::Mask* limit, core::ThreadPool* pool)
-    : aids_(aids), brush_(brush) {
+    : guide_(aids.guide), brush_(brush) {
     for (const Placement& placement : placements(symmetry)) {
         if (strokes_.empty()) {
             strokes_.emplace_back(brush, film, aids, placement, limit, pool);
@@ -20,33 +20,24 @@ StrokeGroup::StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& ai
 }
 
 void StrokeGroup::begin(const PenSample& sample) {
-    if (waits_for_line())
-        line_ = {sample};
-    else
-        begin_strokes(sample);
+    choice_ = GuideChoice(guide_);
+    begun_ = false;
+    follow(choice_.add(sample));
 }
 
 void StrokeGroup::add(const PenSample& sample) {
-    if (waits_for_line())
-        line_.push_back(sample);
-    else
-        add_to_strokes(sample);
+    follow(choice_.add(sample));
 }
 
 void StrokeGroup::end() {
-    if (waits_for_line()) {
-        const std::vector<PenSample> line = straightened(std::move(line_), aids_.guide.turn_across);
-        begin_strokes(line.front());
-        for (std::size_t i = 1; i < line.size(); ++i)
-            add_to_strokes(line[i]);
-    }
+    follow(choice_.end());
     for (Stroke& stroke : strokes_)
         stroke.end();
     brush_.wear(travel_mm_);
 }
 
 void StrokeGroup::pass_time(double seconds) {
-    if (waits_for_line()) return;
+    if (!begun_) return;
     for (Stroke& stroke : strokes_)
         stroke.pass_time(seconds);
 }
@@ -80,10 +71,22 @@ std::vector<grid::Rect> StrokeGroup::take_changed_cells() {
     return changed;
 }
 
+void StrokeGroup::follow(const std::vector<PenSample>& samples) {
+    for (const PenSample& sample : samples) {
+        if (begun_)
+            add_to_strokes(sample);
+        else
+            begin_strokes(sample);
+    }
+}
+
 void StrokeGroup::begin_strokes(const PenSample& sample) {
+    begun_ = true;
     last_ = sample;
-    for (Stroke& stroke : strokes_)
+    for (Stroke& stroke : strokes_) {
+        stroke.keep_to(choice_.guide());
         stroke.begin(sample);
+    }
 }
 
 void StrokeGroup::add_to_strokes(const PenSample& sample) {

@@ -1,6 +1,7 @@
 // One movement of the hand and the strokes of all its copies.
 #pragma once
 
+#include "brush/guide_choice.hpp"
 #include "brush/stroke.hpp"
 #include "brush/symmetry.hpp"
 
@@ -11,8 +12,9 @@ namespace pastoso::brush {
 
 /// Paints with the brush in hand and, under a symmetry, with a brush of the same kind for every other
 /// copy. These hold at first what the brush in hand holds, that much more paint, and live as long as the
-/// group. Sample by sample the copies paint in turn, in the order of placements(). A straight line is
-/// painted when the pen lifts; then the hairs of the brush are worn by the way. Otherwise like Stroke.
+/// group. Sample by sample the copies paint in turn, in the order of placements(), as soon as
+/// GuideChoice knows where. When the pen lifts the hairs of the brush are worn by the way. Otherwise
+/// like Stroke.
 class StrokeGroup {
   public:
     StrokeGroup(Brush& brush, film::FilmState& film, const HandAids& aids, const Symmetry& symmetry,
@@ -37,12 +39,13 @@ class StrokeGroup {
     std::vector<grid::Rect> take_changed_cells();
 
   private:
-    bool waits_for_line() const { return std::holds_alternative<StraightLine>(aids_.guide.form); }
+    void follow(const std::vector<PenSample>& samples);
     void begin_strokes(const PenSample& sample);
     void add_to_strokes(const PenSample& sample);
 
-    HandAids aids_;
-    std::vector<PenSample> line_;  ///< of a straight line that is not painted yet
+    PenGuide guide_;
+    GuideChoice choice_;
+    bool begun_ = false;  ///< the strokes are, the pen may be down before
     PenSample last_;
     double travel_mm_ = 0.0;
     Brush& brush_;

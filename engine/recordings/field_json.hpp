@@ -28,7 +28,8 @@ class FieldWriter {
 
     template <class X, class Y>
     void operator()(const document::Pair<X, Y>& field) const {
-        json_[field.key] = files::Json::array({X::of(told_), Y::of(told_)});
+        if (is_told(field, X::of(told_), X::of(fresh_)) || is_told(field, Y::of(told_), Y::of(fresh_)))
+            json_[field.key] = files::Json::array({X::of(told_), Y::of(told_)});
     }
     template <class Place>
     void operator()(const document::Value<Place>& field) const {

@@ -98,11 +98,12 @@ TEST_F(CanvasSize, WhatIsPaintedStaysWhereItIsOnTheScreenWithItsGuides) {
     give(Command::MirrorSymmetry);
     mouse_stroke(line_mm({10.0, 10.0}, {20.0, 20.0}));
     give(Command::Ruler);
-    studio().easel().move_ruler({10.0, 10.0, 20.0, 20.0});  // numbers that a shift there and back keeps
+    studio().easel().lay_guide(
+        {.form = brush::Ruler{10.0, 10.0, 20.0, 20.0}});  // numbers that a shift there and back keeps
     settle();
     const std::int32_t painted = thickness_at({15.0, 15.0});
     ASSERT_GT(painted, 0);
-    const brush::Ruler ruler = *studio().easel().hand().ruler;
+    const brush::Ruler ruler = *studio().easel().hand().ruler();
     canvas().zoom_about_centre(1.5);
     const QPointF place = canvas().widget_position({15.0, 15.0});
 
@@ -113,21 +114,21 @@ TEST_F(CanvasSize, WhatIsPaintedStaysWhereItIsOnTheScreenWithItsGuides) {
     EXPECT_LT((canvas().widget_position({35.0, 25.0}) - place).manhattanLength(), 0.01);
     EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 50.0);
     EXPECT_EQ(studio().easel().hand().symmetry.centre_y_mm, 30.0);
-    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler->x1_mm, ruler.x1_mm + 20.0);
-    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler->y2_mm, ruler.y2_mm + 10.0);
+    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler()->x1_mm, ruler.x1_mm + 20.0);
+    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler()->y2_mm, ruler.y2_mm + 10.0);
 
     give(Command::Undo);
     EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
     EXPECT_EQ(thickness_at({15.0, 15.0}), painted);
     EXPECT_LT((canvas().widget_position({15.0, 15.0}) - place).manhattanLength(), 0.01);
     EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 30.0);
-    EXPECT_EQ(studio().easel().hand().ruler, ruler);
+    EXPECT_EQ(studio().easel().hand().ruler(), ruler);
 
     give(Command::Redo);
     EXPECT_EQ(size_mm(), glm::dvec2(80.0, 50.0));
     EXPECT_EQ(studio().easel().hand().symmetry.centre_x_mm, 50.0);
     // The mirror that the next stroke meets has moved too.
-    studio().easel().take_ruler_away();
+    studio().easel().take_guide_away();
     mouse_stroke(line_mm({40.0, 40.0}, {44.0, 45.0}));
     settle();
     EXPECT_GT(thickness_at({42.0, 42.5}), 0);
@@ -199,7 +200,7 @@ TEST_F(CanvasSize, CroppingKeepsWhatIsSelected) {
 TEST_F(CanvasSize, MirroredItLiesWhereItLayWithItsGuides) {
     mouse_stroke(line_mm({10.0, 10.0}, {20.0, 20.0}));
     give(Command::Ruler);
-    studio().easel().move_ruler({10.0, 10.0, 20.0, 20.0});
+    studio().easel().lay_guide({.form = brush::Ruler{10.0, 10.0, 20.0, 20.0}});
     settle();
     const std::int32_t painted = thickness_at({15.0, 15.0});
     ASSERT_GT(painted, 0);
@@ -207,7 +208,7 @@ TEST_F(CanvasSize, MirroredItLiesWhereItLayWithItsGuides) {
     const QPointF middle = canvas().widget_position({30.0, 20.0});
     give(Command::MirrorImageHorizontally);
     EXPECT_EQ(thickness_at({59.8 - 15.0, 15.0}), painted) << "the cell whose left edge was at 15 mm";
-    EXPECT_EQ(studio().easel().hand().ruler, (brush::Ruler{50.0, 10.0, 40.0, 20.0}));
+    EXPECT_EQ(studio().easel().hand().ruler(), (brush::Ruler{50.0, 10.0, 40.0, 20.0}));
     EXPECT_LT((canvas().widget_position({30.0, 20.0}) - middle).manhattanLength(), 0.01);
     give(Command::MirrorImageVertically);
     EXPECT_EQ(thickness_at({59.8 - 15.0, 39.8 - 15.0}), painted);
@@ -216,7 +217,7 @@ TEST_F(CanvasSize, MirroredItLiesWhereItLayWithItsGuides) {
     for (int step = 0; step < 3; ++step)
         give(Command::Undo);
     EXPECT_EQ(thickness_at({15.0, 15.0}), painted);
-    EXPECT_EQ(studio().easel().hand().ruler, (brush::Ruler{10.0, 10.0, 20.0, 20.0}));
+    EXPECT_EQ(studio().easel().hand().ruler(), (brush::Ruler{10.0, 10.0, 20.0, 20.0}));
 }
 
 TEST_F(CanvasSize, TurnedItKeepsItsMiddleOrIsFittedAgain) {
@@ -241,14 +242,14 @@ TEST_F(CanvasSize, TurnedItKeepsItsMiddleOrIsFittedAgain) {
 
 TEST_F(CanvasSize, AnotherPaintingIsNoCanvasThatWasCut) {
     give(Command::Ruler);
-    const brush::Ruler ruler = *studio().easel().hand().ruler;
+    const brush::Ruler ruler = *studio().easel().hand().ruler();
     resize(80.0, 40.0, 5);
-    ASSERT_NE(studio().easel().hand().ruler, ruler);
-    const brush::Ruler moved = *studio().easel().hand().ruler;
+    ASSERT_NE(studio().easel().hand().ruler(), ruler);
+    const brush::Ruler moved = *studio().easel().hand().ruler();
     parts().files.new_canvas(canvas_settings());
     loaded();
     settle();
-    EXPECT_EQ(studio().easel().hand().ruler, moved);
+    EXPECT_EQ(studio().easel().hand().ruler(), moved);
     give(Command::FitCanvas);
     const screen::ViewTransform fitted = canvas().view_transform();
     parts().files.new_canvas({.width_mm = 40.0, .height_mm = 40.0});
@@ -293,18 +294,18 @@ class ScaledImage : public CanvasSize {
 
 TEST_F(ScaledImage, ThePaintingIsDrawnOutWithItsGuidesAndUndoBringsItBack) {
     give(Command::Ruler);
-    studio().easel().move_ruler({10.0, 10.0, 20.0, 20.0});
+    studio().easel().lay_guide({.form = brush::Ruler{10.0, 10.0, 20.0, 20.0}});
     mouse_stroke(line_mm({30.0, 10.0}, {40.0, 20.0}));
     settle();
-    const brush::Ruler ruler = *studio().easel().hand().ruler;
+    const brush::Ruler ruler = *studio().easel().hand().ruler();
     scale("width_mm", 90.0);
     EXPECT_EQ(size_mm(), glm::dvec2(90.0, 60.0));
     EXPECT_EQ(session().canvas().px_per_mm, 4.0);
-    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler->x2_mm, 30.0);
+    EXPECT_DOUBLE_EQ(studio().easel().hand().ruler()->x2_mm, 30.0);
     EXPECT_GT(thickness_at({52.5, 22.5}), 0);
     give(Command::Undo);
     EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
-    EXPECT_EQ(studio().easel().hand().ruler, ruler);
+    EXPECT_EQ(studio().easel().hand().ruler(), ruler);
 }
 
 TEST_F(ScaledImage, OnFinerCellsTheStrokesGoOn) {
@@ -381,19 +382,18 @@ class RotatedImage : public CanvasSize {
 };
 
 TEST_F(RotatedImage, ThePaintingIsTurnedWithItsGuidesAndUndoBringsItBack) {
-    give(Command::Ruler);
-    studio().easel().move_ruler({30.0, 20.0, 40.0, 20.0});
+    studio().easel().lay_guide({.form = brush::Ruler{30.0, 20.0, 40.0, 20.0}});
     mouse_stroke(line_mm({36.0, 20.0}, {44.0, 20.0}));
     settle();
-    const brush::Ruler ruler = *studio().easel().hand().ruler;
+    const brush::Ruler ruler = *studio().easel().hand().ruler();
     rotate(90.0, true);
     EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
     EXPECT_GT(thickness_at({30.0, 30.0}), 0) << "10 mm below the middle";
-    EXPECT_NEAR(studio().easel().hand().ruler->x2_mm, 30.0, 1e-9);
-    EXPECT_NEAR(studio().easel().hand().ruler->y2_mm, 30.0, 1e-9);
+    EXPECT_NEAR(studio().easel().hand().ruler()->x2_mm, 30.0, 1e-9);
+    EXPECT_NEAR(studio().easel().hand().ruler()->y2_mm, 30.0, 1e-9);
     give(Command::Undo);
     EXPECT_GT(thickness_at({40.0, 20.0}), 0);
-    EXPECT_NEAR(studio().easel().hand().ruler->x2_mm, ruler.x2_mm, 1e-9);
+    EXPECT_NEAR(studio().easel().hand().ruler()->x2_mm, ruler.x2_mm, 1e-9);
     rotate(30.0, false);
     EXPECT_NEAR(size_mm().x, 60.0 * std::sqrt(0.75) + 20.0, 1e-6);
     EXPECT_NEAR(size_mm().y, 30.0 + 40.0 * std::sqrt(0.75), 1e-6);
@@ -405,15 +405,14 @@ TEST_F(RotatedImage, ARulerAlongTheHorizonIsPutStraight) {
     in_rotate_dialog([&](dialogs::RotateDialog& dialog) {
         EXPECT_FALSE(child<QPushButton>(dialog, "straighten").isEnabled()) << "there is no ruler yet";
     });
-    give(Command::Ruler);
-    studio().easel().move_ruler({10.0, 20.0, 50.0, 22.0});
+    studio().easel().lay_guide({.form = brush::Ruler{10.0, 20.0, 50.0, 22.0}});
     settle();
     in_rotate_dialog([&](dialogs::RotateDialog& dialog) {
         child<QPushButton>(dialog, "straighten").click();
         EXPECT_EQ(child<QDoubleSpinBox>(dialog, "turn").value(), -2.86);
         rotate_ok(dialog).click();
     });
-    const brush::Ruler ruler = *studio().easel().hand().ruler;
+    const brush::Ruler ruler = *studio().easel().hand().ruler();
     EXPECT_NEAR(ruler.y2_mm, ruler.y1_mm, 0.01);
 }
 

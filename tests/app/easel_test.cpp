@@ -83,7 +83,7 @@ TEST_F(EaselTest, WhatWasMixedInTheWellIsNotThrownAway) {
 }
 
 TEST_F(EaselTest, TheWellKnowsNoRulerAndNoPointersElsewhere) {
-    easel_.lay_ruler({0, 0, 100, 0});
+    easel_.lay_guide({.form = brush::Ruler{0, 0, 100, 0}});
     easel_.press(on_well(20, 20), true);
     EXPECT_FALSE(easel_.line_start().has_value());
     easel_.move({});
@@ -271,8 +271,8 @@ TEST_F(EaselTest, ABrushThatTurnsWithTheStrokeStandsAcrossTheGuide) {
 TEST_F(EaselTest, TheRulerLiesAlongTheLatestStroke) {
     easel_.set_reload_each_stroke(false);
     const brush::Ruler middle{0.0, 20.0, 60.0, 20.0};
-    easel_.lay_ruler(middle);
-    EXPECT_EQ(easel_.hand().ruler, middle);
+    easel_.lay_guide({.form = easel_.ruler_along_stroke(middle)});
+    EXPECT_EQ(easel_.hand().ruler(), middle);
     Pointer pointer;
     pointer.x_mm = 5.0;
     easel_.press(pointer);
@@ -281,26 +281,38 @@ TEST_F(EaselTest, TheRulerLiesAlongTheLatestStroke) {
     easel_.move(pointer);
     easel_.release();
     EXPECT_THAT(posted(), ElementsAre("guide", "down", "move", "up"));
-    easel_.lay_ruler(middle);
-    EXPECT_EQ(easel_.hand().ruler, (brush::Ruler{5.0, 0.0, 25.0, 30.0}));
-    easel_.take_ruler_away();
+    easel_.lay_guide({.form = easel_.ruler_along_stroke(middle)});
+    EXPECT_EQ(easel_.hand().ruler(), (brush::Ruler{5.0, 0.0, 25.0, 30.0}));
+    easel_.take_guide_away();
     easel_.press(pointer);
     EXPECT_THAT(posted(), ElementsAre("guide", "down"));
     EXPECT_EQ(easel_.hand().guide, brush::PenGuide{});
 }
 
-TEST_F(EaselTest, WhatIsTakenAwayIsNotThereWhenThePaintingIsOpenedAgain) {
+TEST_F(EaselTest, AGuideThatDoesNotSnapStillLies) {
     easel_.set_reload_each_stroke(false);
-    easel_.lay_ruler({0.0, 20.0, 60.0, 20.0});
+    const brush::PenGuide shown{.form = brush::VanishingPoints{}, .strength = 0.0};
+    easel_.lay_guide(shown);
     easel_.press({});
     easel_.release();
-    easel_.take_ruler_away();
+    const document::Action first = actions_.front();
+    EXPECT_THAT(posted(), ElementsAre("guide", "down", "up"));
+    EXPECT_EQ(std::get<SetGuide>(first).guide, shown) << "the brush does not turn across it";
+    EXPECT_EQ(hand_after({}, {{0, first}}).laid, shown);
+}
+
+TEST_F(EaselTest, WhatIsTakenAwayIsNotThereWhenThePaintingIsOpenedAgain) {
+    easel_.set_reload_each_stroke(false);
+    easel_.lay_guide({.form = brush::Ruler{0.0, 20.0, 60.0, 20.0}});
+    easel_.press({});
+    easel_.release();
+    easel_.take_guide_away();
     std::vector<document::Event> painted;
     for (const Action& action : actions_)
         painted.push_back({0, action});
     EXPECT_THAT(posted(), ElementsAre("guide", "down", "up", "guide"));
-    EXPECT_EQ(hand_after({}, painted).ruler, std::nullopt);
-    easel_.take_ruler_away();
+    EXPECT_EQ(hand_after({}, painted).ruler(), std::nullopt);
+    easel_.take_guide_away();
     EXPECT_THAT(posted(), ElementsAre()) << "there is nothing to take away";
 }
 
@@ -483,8 +495,13 @@ TEST(HandAfter, HoldsWhatTheLastEventsGave) {
                                          {1, SetGuide{{.form = brush::StraightLine{}}}}});
     EXPECT_EQ(aided.stabiliser, (brush::Stabiliser{50.0, 1.0}));
     EXPECT_EQ(aided.symmetry.count, 3);
-    EXPECT_EQ(aided.ruler, ruler);
-    EXPECT_EQ(hand_after(aided, {{2, SetGuide{}}}).ruler, std::nullopt);
+    EXPECT_EQ(aided.ruler(), ruler);
+    EXPECT_EQ(hand_after(aided, {{2, SetGuide{}}}).ruler(), std::nullopt);
+    const brush::PenGuide grid{
+        .form = brush::Grid{}, .reach_mm = 2.0, .turn_across = true, .strength = 0.5};
+    const Hand gridded = hand_after(aided, {{3, SetGuide{grid}}});
+    EXPECT_EQ(gridded.guide, grid);
+    EXPECT_EQ(gridded.laid, (brush::PenGuide{.form = brush::Grid{}, .reach_mm = 2.0, .strength = 0.5}));
 }
 
 TEST(BrushWidth, StepsClimbDownAgainWithinTheLimits) {
@@ -502,7 +519,7 @@ TEST_F(EaselTest, WhatLiesOnTheCanvasFollowsIt) {
     easel_.move_along({{}, {10.0, -5.0}});
     EXPECT_THAT(posted(), ElementsAre()) << "nothing lies there";
     easel_.set_symmetry({.centre_x_mm = 30.0, .centre_y_mm = 20.0, .mirror = true});
-    easel_.move_ruler({1.0, 2.0, 30.0, 2.0});
+    easel_.lay_guide({.form = brush::Ruler{1.0, 2.0, 30.0, 2.0}});
     easel_.press({});
     easel_.release();
     posted();

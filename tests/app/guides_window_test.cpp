@@ -1,4 +1,4 @@
-// Mirror, copies, straight lines, ruler and stabiliser, as the window has them.
+// Mirror, copies, straight lines, guides and stabiliser, as the window has them.
 #include "app/window_fixture.hpp"
 #include "main/window_parts.hpp"
 
@@ -125,7 +125,7 @@ TEST_F(Guides, TheRulerKeepsStrokesParallelToTheLast) {
     EXPECT_GT(paint_at(30.0, 24.0), 0.01);
     EXPECT_EQ(paint_at(30.0, 34.0), 0.0);
     give(Command::Ruler);
-    EXPECT_FALSE(studio().easel().hand().ruler.has_value());
+    EXPECT_FALSE(studio().easel().hand().ruler().has_value());
 }
 
 TEST_F(Guides, TheHandIsSteadiedByTimeOrByAString) {
@@ -222,16 +222,16 @@ TEST_F(Guides, WithoutHandlesTheCentreIsPaintedOn) {
 
 TEST_F(Guides, TheRulerIsDraggedByItsEnds) {
     give(Command::Ruler);  // level, through the middle
-    const double end_mm = studio().easel().hand().ruler->x2_mm;
+    const double end_mm = studio().easel().hand().ruler()->x2_mm;
     press({end_mm, 20.0});
     move({end_mm, 30.0});
     release({end_mm, 30.0});
-    EXPECT_NEAR(studio().easel().hand().ruler->y2_mm, 30.0, 0.15);
-    EXPECT_EQ(studio().easel().hand().ruler->y1_mm, 20.0);
+    EXPECT_NEAR(studio().easel().hand().ruler()->y2_mm, 30.0, 0.15);
+    EXPECT_EQ(studio().easel().hand().ruler()->y1_mm, 20.0);
     session().wait_until_applied();
     mouse_stroke({{10.0, 12.0}, {30.0, 12.0}});
     const auto& form = studio().easel().hand().guide.form;
-    EXPECT_EQ(std::get<brush::Ruler>(form), *studio().easel().hand().ruler);
+    EXPECT_EQ(std::get<brush::Ruler>(form), *studio().easel().hand().ruler());
 }
 
 TEST_F(Guides, StrokesRunAlongTheEllipse) {
@@ -240,12 +240,137 @@ TEST_F(Guides, StrokesRunAlongTheEllipse) {
     EXPECT_FALSE(studio().commands().action(Command::Ruler)->isChecked()) << "one guide at a time";
     auto* width = window().findChild<QDoubleSpinBox*>(QStringLiteral("ellipse_width"));
     width->setValue(40.0);
-    ASSERT_TRUE(studio().easel().hand().ellipse.has_value());
-    EXPECT_EQ(studio().easel().hand().ellipse->half_width_mm, 20.0);
+    ASSERT_TRUE(studio().easel().hand().ellipse().has_value());
+    EXPECT_EQ(studio().easel().hand().ellipse()->half_width_mm, 20.0);
     // A straight movement from the ellipse's left end over its top; its half height is 12 mm.
     mouse_stroke({{10.5, 19.0}, {14.0, 11.0}, {22.0, 6.0}, {30.0, 4.0}});
     EXPECT_GT(paint_at(30.0 - 20.0 * std::sqrt(0.5), 20.0 - 12.0 * std::sqrt(0.5)), 0.01);
     EXPECT_EQ(paint_at(22.0, 5.0), 0.0);
+}
+
+TEST_F(Guides, StrokesRunToTheVanishingPoint) {
+    give(Command::OnePointPerspective);
+    EXPECT_TRUE(studio().commands().action(Command::OnePointPerspective)->isChecked());
+    window().findChild<QDoubleSpinBox*>(QStringLiteral("first_point_x"))->setValue(120.0);
+    window().findChild<QDoubleSpinBox*>(QStringLiteral("first_point_y"))->setValue(20.0);
+    mouse_stroke({{10.0, 8.0}, {14.0, 8.4}, {20.0, 12.0}, {30.0, 18.0}, {40.0, 20.0}});
+    EXPECT_GT(paint_at(30.0, 8.0 + 12.0 * 20.0 / 110.0), 0.01);
+    EXPECT_EQ(paint_at(30.0, 18.0), 0.0);
+    EXPECT_EQ(std::get<brush::VanishingPoints>(studio().easel().hand().guide.form).x1_mm, 120.0);
+}
+
+TEST_F(Guides, APointBesideTheCanvasIsDraggedByTheEdge) {
+    give(Command::TwoPointPerspective);
+    const auto points = [&] {
+        return std::get<brush::VanishingPoints>(studio().easel().hand().laid.form);
+    };
+    const brush::VanishingPoints before = points();
+    ASSERT_GT(before.x2_mm, 60.0);
+    const glm::dvec2 handle{60.0 - 0.03 * 40.0, before.y2_mm};
+    press(handle);
+    move(handle + glm::dvec2(0.0, 3.0));
+    move(handle + glm::dvec2(0.0, 6.0));
+    release(handle + glm::dvec2(0.0, 6.0));
+    EXPECT_EQ(volume_mm3(), 0.0) << "dragging does not paint";
+    EXPECT_NEAR(points().x2_mm, before.x2_mm, 0.15);
+    EXPECT_NEAR(points().y2_mm, before.y2_mm + 6.0, 0.15);
+    EXPECT_GT(points().upright_deg, 91.0) << "uprights stand on the horizon";
+}
+
+TEST_F(Guides, TheHorizonIsTurnedByItsHandle) {
+    give(Command::OnePointPerspective);
+    const auto points = [&] {
+        return std::get<brush::VanishingPoints>(studio().easel().hand().laid.form);
+    };
+    const glm::dvec2 handle{points().x1_mm + 0.4 * 40.0, points().y1_mm};
+    press(handle);
+    move(handle + glm::dvec2(0.0, 8.0));
+    move(handle + glm::dvec2(0.0, 16.0));
+    release(handle + glm::dvec2(0.0, 16.0));
+    EXPECT_NEAR(points().level_deg, 45.0, 1.0);
+    EXPECT_DOUBLE_EQ(points().upright_deg, points().level_deg + 90.0);
+    EXPECT_EQ(volume_mm3(), 0.0);
+}
+
+TEST_F(Guides, StrokesSnapOntoTheLinesOfTheGrid) {
+    give(Command::GuideGrid);  // a line through the middle every 20 mm
+    mouse_stroke({{8.0, 22.0}, {14.0, 22.5}, {20.0, 26.0}, {30.0, 30.0}, {40.0, 30.0}});
+    EXPECT_GT(paint_at(30.0, 20.0), 0.01);
+    EXPECT_EQ(paint_at(30.0, 29.0), 0.0);
+}
+
+TEST_F(Guides, AHandThatDoesNotSnapIsFreeAndTheGuideStays) {
+    give(Command::GuideGrid);
+    auto* strength = window().findChild<QDoubleSpinBox*>(QStringLiteral("guide_strength"));
+    strength->setValue(50.0);
+    EXPECT_EQ(studio().easel().hand().laid.strength, 0.5);
+    give(Command::SnapToGuide);
+    EXPECT_FALSE(studio().commands().action(Command::SnapToGuide)->isChecked());
+    EXPECT_EQ(strength->value(), 0.0);
+    mouse_stroke({{8.0, 24.0}, {14.0, 24.5}, {20.0, 27.0}, {30.0, 32.0}, {40.0, 32.0}});
+    EXPECT_GT(paint_at(30.0, 32.0), 0.01);
+    EXPECT_EQ(paint_at(30.0, 20.0), 0.0);
+    EXPECT_TRUE(studio().commands().action(Command::GuideGrid)->isChecked());
+    give(Command::SnapToGuide);
+    EXPECT_EQ(studio().easel().hand().laid.strength, 0.5) << "as strong as before";
+    session().wait_until_applied();
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
+TEST_F(Guides, ThePanelHasTheNumbersOfWhatLies) {
+    auto& kind = *window().findChild<QComboBox*>(QStringLiteral("guide_kind"));
+    const auto choose = [&](tools::GuideKind chosen) {
+        kind.setCurrentIndex(kind.findData(static_cast<int>(chosen)));
+        Q_EMIT kind.activated(kind.currentIndex());
+    };
+    const auto has = [&](const char* name) {
+        return !window().findChild<QDoubleSpinBox*>(QString::fromLatin1(name))->isHidden();
+    };
+    EXPECT_FALSE(has("ruler_x"));
+    choose(tools::GuideKind::ParallelRuler);
+    EXPECT_EQ(studio().easel().hand().laid.reach_mm, 0.0);
+    EXPECT_TRUE(studio().commands().action(Command::ParallelRuler)->isChecked());
+    EXPECT_TRUE(has("ruler_x"));
+    EXPECT_FALSE(has("guide_reach"));
+    choose(tools::GuideKind::Ruler);
+    EXPECT_GT(studio().easel().hand().laid.reach_mm, 0.0);
+    EXPECT_TRUE(has("guide_reach"));
+    choose(tools::GuideKind::TwoPoints);
+    EXPECT_TRUE(has("second_point_x"));
+    EXPECT_FALSE(has("third_point_x"));
+    choose(tools::GuideKind::ThreePoints);
+    EXPECT_TRUE(has("third_point_x"));
+    choose(tools::GuideKind::None);
+    EXPECT_FALSE(has("first_point_x"));
+    EXPECT_FALSE(studio().commands().action(Command::RemoveGuides)->isEnabled());
+}
+
+TEST_F(Guides, EachIsDrawnOverTheCanvasAndTakenAwayAgain) {
+    const QImage bare = picture();
+    for (const Command command :
+         {Command::ParallelRuler, Command::ConcentricEllipse, Command::OnePointPerspective,
+          Command::TwoPointPerspective, Command::ThreePointPerspective, Command::GuideGrid}) {
+        give(command);
+        EXPECT_GT(difference(bare, picture()).largest, 20);
+        give(Command::RemoveGuides);
+        EXPECT_EQ(difference(bare, picture()).largest, 0);
+    }
+}
+
+TEST_F(Guides, APerspectiveTurnsWithTheCanvas) {
+    give(Command::TwoPointPerspective);
+    mouse_stroke(line_mm({30.0, 10.0}, {30.0, 30.0}));
+    settle();
+    const auto points = [&] {
+        return std::get<brush::VanishingPoints>(studio().easel().hand().laid.form);
+    };
+    const brush::VanishingPoints before = points();
+    give(Command::RotateImageRight);
+    EXPECT_DOUBLE_EQ(points().x1_mm, 40.0 - before.y1_mm);
+    EXPECT_DOUBLE_EQ(points().y1_mm, before.x1_mm);
+    EXPECT_DOUBLE_EQ(std::abs(points().upright_deg), 180.0);
+    give(Command::Undo);
+    EXPECT_DOUBLE_EQ(points().x2_mm, before.x2_mm);
 }
 
 TEST_F(Guides, NumbersMoveTheMirrorToo) {

@@ -185,9 +185,9 @@ TEST_F(HandWindow, AFingerThatIsHeldPicksPaint) {
 TEST_F(HandWindow, AFingerDragsHandlesEvenWhereItDoesNotPaint) {
     action(Command::Ruler)->trigger();
     settle();
-    const brush::Ruler before = *studio().easel().hand().ruler;
+    const brush::Ruler before = *studio().easel().hand().ruler();
     drag_finger(canvas().widget_position({before.x1_mm, before.y1_mm}).toPoint(), {0, 40});
-    EXPECT_GT(studio().easel().hand().ruler->y1_mm, before.y1_mm + 1.0);
+    EXPECT_GT(studio().easel().hand().ruler()->y1_mm, before.y1_mm + 1.0);
 }
 
 TEST_F(HandWindow, AnyCommandIsOnAnyButtonOfThePen) {

@@ -290,5 +290,16 @@ TEST_F(WetMarkTest, ARulerLeadsTheMarkToo) {
     EXPECT_LT(seen_at(sample(16).x_mm, 30.0).green(), 60);
 }
 
+TEST_F(WetMarkTest, APerspectiveLeadsTheMarkOnceItsDirectionIsKnown) {
+    hand_.guide.form = brush::VanishingPoints{.count = 1, .x1_mm = 400.0, .y1_mm = sample(0).y_mm};
+    outline_.set_tool(brush::resized(flat(), 2.0));
+    stroke(1);
+    draw();
+    EXPECT_TRUE(is_bare()) << "it is not yet";
+    stroke(60);
+    draw();
+    EXPECT_FALSE(is_bare());
+}
+
 }  // namespace
 }  // namespace pastoso::interactions

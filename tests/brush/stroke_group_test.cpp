@@ -213,5 +213,32 @@ TEST(StrokeGroup, ARulerGuidesTheFilteredPenExactly) {
     EXPECT_EQ(studio::coverage(film, studio::cells_of(film, 0.0, 0.0, kSide_mm, 27.0)), 0.0);
 }
 
+TEST(StrokeGroup, UnderAPerspectiveAllOfTheStrokeIsOnTheLine) {
+    film::FilmState film = studio::smooth(kSide_mm, kSide_mm, 4.0);
+    Preset preset = studio::round_preset(3.0);
+    preset.flex.bend = 0.0;
+    Brush brush(preset);
+    brush.load(studio::dark_paint(), 1.0);
+    const HandAids aids{.guide = {.form = VanishingPoints{.count = 1, .x1_mm = 400.0, .y1_mm = 10.0}}};
+    // Its first way is level, then it wanders off.
+    paint_group(brush, film, aids, {}, [](double t) {
+        return PenSample{.x_mm = 8.0 + 45.0 * t, .y_mm = 30.0 + 20.0 * t * t, .pressure = 0.5};
+    });
+    EXPECT_GT(studio::mean_thickness_mm(film, studio::cells_of(film, 8.0, 29.5, 50.0, 30.5)), 0.05);
+    EXPECT_EQ(studio::coverage(film, studio::cells_of(film, 0.0, 33.0, kSide_mm, kSide_mm)), 0.0);
+    EXPECT_EQ(studio::coverage(film, studio::cells_of(film, 0.0, 0.0, kSide_mm, 27.0)), 0.0);
+}
+
+TEST(StrokeGroup, ATapUnderAGridIsADab) {
+    film::FilmState film = studio::smooth(kSide_mm, kSide_mm, 4.0);
+    Brush brush(studio::round_preset(3.0));
+    brush.load(studio::dark_paint(), 1.0);
+    const HandAids aids{.guide = {.form = Grid{}}};
+    paint_group(brush, film, aids, {}, [](double t) {
+        return PenSample{.x_mm = 33.0, .y_mm = 33.0, .pressure = std::min(1.0, 2.0 * t)};
+    });
+    EXPECT_GT(studio::mean_thickness_mm(film, studio::cells_of(film, 32.0, 32.0, 34.0, 34.0)), 0.0);
+}
+
 }  // namespace
 }  // namespace pastoso::brush

@@ -136,6 +136,34 @@ TEST_F(HandAids, ALineThatSomethingElseEndsIsPaintedToo) {
     expect_balance();
 }
 
+TEST_F(HandAids, UnderAPerspectiveNothingIsPaintedBeforeItsDirectionIsKnown) {
+    const std::uint64_t hash = painting.state_hash();
+    painting.apply(
+        SetGuide{{.form = brush::VanishingPoints{.count = 1, .x1_mm = 300.0, .y1_mm = 15.0}}});
+    painting.apply(PenDown{{0.0, 5.0, 15.0, 0.5}});
+    painting.apply(PenMove{{0.01, 6.5, 15.5, 0.5}});
+    EXPECT_EQ(painting.account().canvas.volume_mm3, 0.0);
+    painting.apply(PenMove{{0.5, 35.0, 25.0, 0.5}});
+    painting.apply(PenUp{});
+    EXPECT_TRUE(wet_at(20.0, 15.0));
+    EXPECT_FALSE(wet_at(20.0, 21.0));
+    expect_balance();
+    painting.apply(Undo{});
+    EXPECT_EQ(painting.state_hash(), hash);
+}
+
+TEST_F(HandAids, AGuideWithoutStrengthPaintsTheSameBits) {
+    Painting free(small_canvas(), pool);
+    free.apply(TakeBrush{"flat", 6, 1});
+    free.apply(load_of("PB29"));
+    painting.apply(SetGuide{{.form = brush::Grid{}, .strength = 0.0}});
+    for (Painting* each : {&painting, &free}) {
+        paint_wave(*each, 0.0, 10.0);
+        each->apply(SetGuide{});
+    }
+    EXPECT_EQ(painting.state_hash(), free.state_hash());
+}
+
 TEST_F(HandAids, StrokesAreNeverJoined) {
     painting.apply(SetStabiliser{{400.0, 6.0}});
     painting.apply(SetSymmetry{star(1, true)});
@@ -189,7 +217,9 @@ Recording aided_session(std::uint64_t& hash) {
         {},
         {.form = brush::StraightLine{}, .turn_across = true},
         {.form = brush::Ruler{0.0, 12.0, 40.0, 14.0}},
-        {.form = brush::EllipseCurve{20.0, 15.0, 15.0, 8.0, 10.0}, .turn_across = true}};
+        {.form = brush::EllipseCurve{20.0, 15.0, 15.0, 8.0, 10.0}, .turn_across = true},
+        {.form = brush::VanishingPoints{.count = 2, .x1_mm = -30.0, .x2_mm = 90.0}, .strength = 0.7},
+        {.form = brush::Grid{.x_mm = 1.0, .y_mm = 2.0, .direction_deg = 30.0}, .turn_across = true}};
     double start_s = 0.0;
     for (const brush::PenGuide& guide : guides) {
         act(SetGuide{guide});
@@ -237,6 +267,14 @@ TEST(HandAidsChecks, RefuseWhatIsOutOfRange) {
     EXPECT_THAT(refused(SetGuide{{.form = brush::EllipseCurve{0.0, 0.0, 0.0, 5.0, 0.0}}}),
                 HasSubstr("half width of the ellipse in mm is 0"));
     EXPECT_THAT(refused(SetGuide{{.reach_mm = -1.0}}), HasSubstr("reach of the guide"));
+    EXPECT_THAT(refused(SetGuide{{.strength = 1.5}}), HasSubstr("strength of the guide is 1.5"));
+    EXPECT_THAT(refused(SetGuide{{.strength = kNan}}), HasSubstr("strength of the guide is nan"));
+    EXPECT_THAT(refused(SetGuide{{.form = brush::VanishingPoints{.count = 4}}}),
+                HasSubstr("number of vanishing points is 4"));
+    EXPECT_THAT(refused(SetGuide{{.form = brush::VanishingPoints{.x1_mm = 1e9}}}),
+                HasSubstr("x of the first vanishing point in mm is 1e+09"));
+    EXPECT_THAT(refused(SetGuide{{.form = brush::Grid{.spacing_mm = 0.0}}}),
+                HasSubstr("spacing of the grid's first lines in mm is 0"));
     EXPECT_EQ(error_of([] { check_action(SetSymmetry{star(16, true)}); }), "");
 }
 

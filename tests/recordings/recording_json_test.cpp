@@ -85,6 +85,9 @@ Recording everything() {
         {22, SetGuide{{brush::StraightLine{}, 5.0, true}}},
         {22, SetGuide{{brush::Ruler{1.5, 2, -3, 4}, 0.0, false}}},
         {22, SetGuide{{brush::EllipseCurve{50, 30, 20.5, 10, 15}, 2.0, true}}},
+        {22, SetGuide{{brush::VanishingPoints{1, 50, 30.5}, 5.0, true, 0.75}}},
+        {22, SetGuide{{brush::VanishingPoints{3, -50, 30, 400, 0, 0, 900, 2.5, 92.5}}}},
+        {22, SetGuide{{brush::Grid{1, 2, 30, 12.5, 150, 0.1}, 0.0, false, 0.0}}},
         {23, SetSymmetry{{60, 28.35, 12.5, true, 8}}},
         {24, SetSymmetry{}},
         {30, SqueezePaint{{{{"PR108", 1.0}, {"PW6", 2.0}}, 0.9}, 320.5, 20, 30.25}},
@@ -344,11 +347,13 @@ TEST(RecordingJson, ReadsAidsWrittenByHand) {
         file_with(
             R"({"tick":0,"set_symmetry":{"centre_x_mm":50,"centre_y_mm":40,"count":6}},)"
             R"({"tick":0,"set_guide":{"form":"ellipse","centre_mm":[1,2],"half_width_mm":3,"half_height_mm":4}},)"
+            R"({"tick":0,"set_guide":{"form":"perspective","points":2,"first_mm":[1,2],"second_mm":[3,0]}},)"
             R"({"tick":0,"set_guide":{"form":"none"}},{"tick":0,"set_stabiliser":{"string_mm":3}})"),
         "s.json");
     const std::vector<Event> expected = {
         {0, SetSymmetry{{.centre_x_mm = 50, .centre_y_mm = 40, .count = 6}}},
         {0, SetGuide{{.form = brush::EllipseCurve{1, 2, 3, 4, 0}}}},
+        {0, SetGuide{{.form = brush::VanishingPoints{.count = 2, .x1_mm = 1, .y1_mm = 2, .x2_mm = 3}}}},
         {0, SetGuide{}},
         {0, SetStabiliser{{.string_mm = 3}}}};
     EXPECT_EQ(recording.events, expected);
@@ -374,7 +379,8 @@ TEST(RecordingJson, RefusesBadAids) {
     EXPECT_THAT(refused(R"("set_symmetry":{"centre_x_mm":1,"centre_y_mm":1,"mirror":1})"),
                 HasSubstr("set_symmetry.mirror: expected true or false"));
     EXPECT_EQ(refused(R"("set_guide":{"form":"spiral"})"),
-              "s.json, events[0].set_guide.form: \"spiral\" is not one of none, line, ruler, ellipse.");
+              "s.json, events[0].set_guide.form: \"spiral\" is not one of none, line, ruler, ellipse, "
+              "perspective, grid.");
     EXPECT_EQ(refused(R"("set_guide":{"form":"line","from_mm":[1,2]})"),
               "s.json, events[0].set_guide: there is no such entry as \"from_mm\" here.");
     EXPECT_EQ(refused(R"("set_guide":{"form":"ruler","from_mm":[1,2],"to_mm":[1]})"),
@@ -476,6 +482,10 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         recording.events = {{0, RotateCanvas{7.0}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
         recording.events = {{0, DistortLayer{1, {{0, 0}, 2, 2, {0, 0}, {2, 0}, {3, 3}, {0, 2}}}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
+        recording.events = {{0, SetGuide{{.form = brush::Grid{}}}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
+        recording.events = {{0, SetGuide{{.strength = 0.5}}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
     }
 }

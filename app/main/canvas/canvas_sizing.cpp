@@ -102,7 +102,7 @@ void CanvasSizing::ask_for_rotation() {
     studio_.catch_up();
     const auto painting = studio_.session().snapshot();
     dialogs::RotateDialog dialog(painting->bare->settings, small_picture(*painting),
-                                 studio_.easel().hand().ruler, &studio_.window());
+                                 studio_.easel().hand().ruler(), &studio_.window());
     if (dialog.exec() == QDialog::Accepted) studio_.easel().rotate_canvas(dialog.wanted());
 }
 

@@ -14,8 +14,7 @@ tools::Hand hand_at_first(tools::Hand hand) {
     hand.tilt = {};
     hand.air = {};
     hand.symmetry = {};
-    hand.ruler.reset();
-    hand.ellipse.reset();
+    hand.laid = {};
     hand.guide = {};
     return hand;
 }

@@ -1,8 +1,9 @@
-// Mirrors, copies, ruler and ellipse on the canvas.
+// Mirrors, copies and guides on the canvas.
 #pragma once
 
 #include "main/studio.hpp"
 #include "tools/guide_handles.hpp"
+#include "tools/laid_guide.hpp"
 
 #include <QObject>
 
@@ -21,13 +22,14 @@ class GuideCommands : public QObject {
     void set_symmetry(const brush::Symmetry& symmetry);
     void set_mirrors(bool upright, bool level);
     void move_guide(const tools::Guide& guide);
-    void lay_ruler(bool lies);
-    void lay_ellipse(bool lies);
+    void lay(tools::GuideKind kind);
+    void snap(bool snaps);
     void remove_guides();
     void show(const tools::Hand& hand);
 
     Studio& studio_;
     panels::GuidesPanel* guides_;
+    double strength_ = 1.0;  ///< of the guide, when it last had some
 };
 
 }  // namespace pastoso::main

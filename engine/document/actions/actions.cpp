@@ -23,6 +23,15 @@ class NewestField {
                 version_ = field.since;
     }
     template <class Place>
+    void operator()(const OneOf<Place>&) const {
+        std::visit(
+            [&]<class Form>(const Form&) {
+                if constexpr (requires { Table<Form>::kSince; })
+                    version_ = std::max(version_, Table<Form>::kSince);
+            },
+            Place::of(told_));
+    }
+    template <class Place>
     void operator()(const Part<Place>&) const {
         const auto& part = Place::of(told_);
         using Kind = std::remove_cvref_t<decltype(part)>;

@@ -107,6 +107,59 @@ struct Table<brush::EllipseCurve> {
 };
 
 template <>
+struct Table<brush::VanishingPoints> {
+    static constexpr std::string_view kName = "perspective";
+    static constexpr int kSince = 14;
+    static constexpr void fields(auto&& visit) {
+        using Points = brush::VanishingPoints;
+        using enum Presence;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        constexpr core::Pattern<0> kDegrees("degrees");
+        visit(Whole<At<&Points::count>>{"points", core::Pattern<0>("number of vanishing points"), 1, 3,
+                                        Written});
+        visit(Pair<At<&Points::x1_mm>, At<&Points::y1_mm>>{
+            "first_mm", core::Pattern<0>("first vanishing point"), "mm", -kFar_mm, kFar_mm, Required});
+        visit(Pair<At<&Points::x2_mm>, At<&Points::y2_mm>>{
+            "second_mm", core::Pattern<0>("second vanishing point"), "mm", -kFar_mm, kFar_mm, Optional});
+        visit(Pair<At<&Points::x3_mm>, At<&Points::y3_mm>>{
+            "third_mm", core::Pattern<0>("third vanishing point"), "mm", -kFar_mm, kFar_mm, Optional});
+        visit(Number<At<&Points::level_deg>>{"level_deg", core::Pattern<0>("direction of the horizon"),
+                                             kDegrees, -360.0, 360.0, Written,
+                                             "that of strokes under one point"});
+        visit(Number<At<&Points::upright_deg>>{"upright_deg", core::Pattern<0>("direction of uprights"),
+                                               kDegrees, -360.0, 360.0, Written,
+                                               "that of strokes under one or two points"});
+    }
+};
+
+template <>
+struct Table<brush::Grid> {
+    static constexpr std::string_view kName = "grid";
+    static constexpr int kSince = 14;
+    static constexpr void fields(auto&& visit) {
+        using brush::Grid;
+        using enum Presence;
+        constexpr double kFar_mm = kMaxPenPosition_mm;
+        constexpr core::Pattern<0> kDegrees("degrees");
+        visit(Pair<At<&Grid::x_mm>, At<&Grid::y_mm>>{"at_mm", core::Pattern<0>("grid's point"), "mm",
+                                                     -kFar_mm, kFar_mm, Required,
+                                                     "where two lines cross"});
+        visit(Number<At<&Grid::direction_deg>>{"direction_deg",
+                                               core::Pattern<0>("direction of the grid's first lines"),
+                                               kDegrees, -360.0, 360.0, Written});
+        visit(Number<At<&Grid::spacing_mm>>{"spacing_mm",
+                                            core::Pattern<0>("spacing of the grid's first lines"), "mm",
+                                            kShortestGuide_mm, kFar_mm, Written});
+        visit(Number<At<&Grid::other_direction_deg>>{
+            "other_direction_deg", core::Pattern<0>("direction of the grid's other lines"), kDegrees,
+            -360.0, 360.0, Written});
+        visit(Number<At<&Grid::other_spacing_mm>>{"other_spacing_mm",
+                                                  core::Pattern<0>("spacing of the grid's other lines"),
+                                                  "mm", kShortestGuide_mm, kFar_mm, Written});
+    }
+};
+
+template <>
 struct Table<SetGuide> {
     static constexpr ActionTraits kTraits =
         setting("set_guide", 3, "leads the pen on the canvas, from the next stroke on");
@@ -116,11 +169,14 @@ struct Table<SetGuide> {
         visit(Number<At<&SetGuide::guide, &Guide::reach_mm>>{
             "reach_mm", core::Pattern<0>("reach of the guide"), "mm", 0.0, kMaxPenPosition_mm,
             Presence::Optional,
-            "how near a ruler or an ellipse a stroke has to start to run along it; others run beside "
-            "it"});
+            "how near a ruler, an ellipse or a line of a grid a stroke has to start to run along it; "
+            "others run beside it"});
         visit(Truth<At<&SetGuide::guide, &Guide::turn_across>>{
             "turn_across", "turn across the guide", Presence::Optional,
             "the width of the brush stands across it"});
+        visit(Number<At<&SetGuide::guide, &Guide::strength>>{
+            "strength", core::Pattern<0>("strength of the guide"), "", 0.0, 1.0, Presence::Optional,
+            "how far it takes the pen from the hand's place to its own", 14});
     }
 };
 

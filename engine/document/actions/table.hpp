@@ -182,7 +182,8 @@ struct Value {
 };
 
 /// One of the alternatives of a std::variant, by its name (Table<Alternative>::kName), and the fields of
-/// that one.
+/// that one. Table<Alternative>::kSince is the version that has it first, where that is not the
+/// action's.
 template <class Place>
 struct OneOf {
     using At = Place;
