@@ -27,17 +27,6 @@ QColor through(const ScreenCube& cube, const QColor& colour) {
     return QColor::fromRgba(shown_pixel(*cube, colour.rgba()));
 }
 
-QImage through(const ScreenCube& cube, const QImage& picture) {
-    if (cube == nullptr || picture.isNull()) return picture;
-    QImage seen = picture.convertToFormat(QImage::Format_ARGB32);
-    for (int y = 0; y < seen.height(); ++y) {
-        auto* line = reinterpret_cast<QRgb*>(seen.scanLine(y));
-        for (int x = 0; x < seen.width(); ++x)
-            line[x] = shown_pixel(*cube, line[x]);
-    }
-    return seen;
-}
-
 }  // namespace
 
 void ScreenColours::use(ScreenCube cube, ScreenCube of_painting) {
@@ -69,7 +58,7 @@ QColor shown(const QColor& colour) {
 }
 
 QImage shown(const QImage& picture) {
-    return through(screen_colours().cube(), picture);
+    return shown_through(screen_colours().cube(), picture);
 }
 
 QPixmap shown(const QPixmap& picture) {
@@ -77,12 +66,23 @@ QPixmap shown(const QPixmap& picture) {
     return QPixmap::fromImage(shown(picture.toImage()));
 }
 
+QImage shown_through(const ScreenCube& cube, const QImage& picture) {
+    if (cube == nullptr || picture.isNull()) return picture;
+    QImage seen = picture.convertToFormat(QImage::Format_ARGB32);
+    for (int y = 0; y < seen.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(seen.scanLine(y));
+        for (int x = 0; x < seen.width(); ++x)
+            line[x] = shown_pixel(*cube, line[x]);
+    }
+    return seen;
+}
+
 QColor shown_in_painting(const QColor& colour) {
     return through(screen_colours().of_painting(), colour);
 }
 
 QImage shown_in_painting(const QImage& picture) {
-    return through(screen_colours().of_painting(), picture);
+    return shown_through(screen_colours().of_painting(), picture);
 }
 
 }  // namespace pastoso::appearance

@@ -50,6 +50,9 @@ QColor shown(const QColor& colour);
 QImage shown(const QImage& picture);
 QPixmap shown(const QPixmap& picture);
 
+/// The same by a cube that was asked for before; on any thread. Null: as it is.
+QImage shown_through(const ScreenCube& cube, const QImage& picture);
+
 /// The same in a painting.
 QColor shown_in_painting(const QColor& colour);
 QImage shown_in_painting(const QImage& picture);

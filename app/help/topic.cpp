@@ -29,6 +29,7 @@ constexpr Topic kTopics[] = {
     {"pastoso::panels::LayerPanel", "layers#layers"},
     {"pastoso::panels::GuidesPanel", "layers#guides"},
     {"pastoso::panels::TracingPanel", "layers#tracing"},
+    {"pastoso::panels::ReferencePanel", "layers#references"},
     {"pastoso::dialogs::TransformDialog", "layers#moving-scaling-and-turning"},
     {"pastoso::dialogs::ScaleDialog", "layers#another-size-or-resolution"},
     {"pastoso::dialogs::RotateDialog", "layers#the-whole-painting-mirrored-and-turned"},

@@ -5,6 +5,8 @@
 #include "panels/layers/tracing_panel.hpp"
 #include "panels/paint/medium_panel.hpp"
 #include "panels/paint/thinning_slider.hpp"
+#include "panels/references/reference_panel.hpp"
+#include "panels/references/reference_view.hpp"
 #include "pigment/user_pigments.hpp"
 
 #include <QCloseEvent>
@@ -37,6 +39,8 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
     connect(&parts.sizing, &CanvasSizing::resized, &parts.files, &ProjectFiles::show_title);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.view, &ViewCommands::name_canvas);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
+    connect(&parts.files, &ProjectFiles::about_to_keep, &panels_.references->board(),
+            &panels::ReferenceView::finish);
     connect(&parts.preferences, &PreferenceCommands::autosave_due, &parts.files,
             &ProjectFiles::save_by_itself);
     connect(&parts.place, &CanvasPlace::taking, &parts.view, &ViewCommands::leave_canvas_only);

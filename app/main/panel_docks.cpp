@@ -19,6 +19,7 @@
 #include "panels/pen/brush_panel.hpp"
 #include "panels/pen/curves_panel.hpp"
 #include "panels/pen/guides_panel.hpp"
+#include "panels/references/reference_panel.hpp"
 #include "tools/workspaces.hpp"
 
 #include <initializer_list>
@@ -63,6 +64,8 @@ constexpr std::pair<Command, const char*> kButtonWords[] = {
     {Command::RemoveTracing, QT_TR_NOOP("Take away")},
     {Command::ShowTracing, QT_TR_NOOP("Below the paint")},
     {Command::FitTracing, QT_TR_NOOP("Fit")},
+    {Command::AddReference, QT_TR_NOOP("Add...")},
+    {Command::FloatReferences, QT_TR_NOOP("Own window")},
     {Command::FitCanvas, QT_TR_NOOP("Fit")},
     {Command::ActualPixels, QT_TR_NOOP("100 %")},
     {Command::TurnUpright, QT_TR_NOOP("Upright")},
@@ -89,6 +92,8 @@ void make_panels(Studio& studio, PanelSet& panels) {
     panels.tracing =
         new panels::TracingPanel({action(Command::TracePicture), action(Command::RemoveTracing)},
                                  {action(Command::ShowTracing), action(Command::FitTracing)});
+    panels.references =
+        new panels::ReferencePanel({action(Command::AddReference), action(Command::FloatReferences)});
     panels.history = new panels::HistoryPanel;
     panels.navigator =
         new panels::NavigatorPanel({action(Command::FitCanvas), action(Command::ActualPixels)},
@@ -177,6 +182,7 @@ void add_docks(Studio& studio, PanelSet& panels) {
              {Command::LightPanel, "light_panel", QT_TR_NOOP("Lights"), panels.lights},
              {Command::LayersPanel, "layers_panel", QT_TR_NOOP("Layers"), panels.layers},
              {Command::TracingPanel, "tracing_panel", QT_TR_NOOP("Tracing"), panels.tracing},
+             {Command::ReferencesPanel, "references_panel", QT_TR_NOOP("References"), panels.references},
              {Command::HistoryPanel, "history_panel", QT_TR_NOOP("History"), panels.history},
              {Command::NavigatorPanel, "navigator_panel", QT_TR_NOOP("Navigator"), panels.navigator},
              {Command::RecorderPanel, "recorder_panel", QT_TR_NOOP("Recorder"), panels.recorder},

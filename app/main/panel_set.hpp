@@ -25,6 +25,7 @@ class MessagePanel;
 class NavigatorPanel;
 class PaintPanel;
 class RecorderPanel;
+class ReferencePanel;
 class StatusReadings;
 class ThinningSlider;
 class ToolBar;
@@ -49,6 +50,7 @@ struct PanelSet {
     panels::GuidesPanel* guides = nullptr;
     panels::LayerPanel* layers = nullptr;
     panels::TracingPanel* tracing = nullptr;
+    panels::ReferencePanel* references = nullptr;
     panels::NavigatorPanel* navigator = nullptr;
     panels::LightPanel* lights = nullptr;
     panels::RecorderPanel* recorder = nullptr;

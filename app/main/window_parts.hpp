@@ -54,6 +54,7 @@
 #include "main/program/tour_commands.hpp"
 #include "main/program/window_settings.hpp"
 #include "main/program/workspace_commands.hpp"
+#include "main/references/reference_commands.hpp"
 
 namespace pastoso::main {
 
@@ -73,6 +74,7 @@ struct WindowParts {
     FillCommands fills;
     TextureCommands textures;
     TracingCommands tracing;
+    ReferenceCommands references;
     WellCommands well;
     HandControls hand;
     PaintTime time;

@@ -1,9 +1,11 @@
 #include "tools/picture_colours.hpp"
 
 #include "core/random.hpp"
+#include "pigment/lab.hpp"
 #include "tools/colour_models.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -96,6 +98,23 @@ bool moved_to_means(const std::vector<Sample>& samples, std::vector<Channels>& c
     return moved;
 }
 
+/// Pixels first to last - 1 along an axis.
+struct Span {
+    int first = 0, last = 0;
+};
+
+Span span_about(double place_px, double half_px, int size) {
+    const int there = static_cast<int>(std::floor(place_px));
+    const int first = static_cast<int>(std::ceil(place_px - half_px - 0.5));
+    const int last = static_cast<int>(std::floor(place_px + half_px - 0.5)) + 1;
+    if (first >= last) return {there, there + 1};
+    return {std::max(first, 0), std::min(last, size)};
+}
+
+bool lies_on(const pigment::Picture& picture, double x_px, double y_px) {
+    return x_px >= 0.0 && y_px >= 0.0 && x_px < picture.width && y_px < picture.height;
+}
+
 }  // namespace
 
 std::vector<pigment::Srgb8> picture_colours(const pigment::Picture& picture, int count) {
@@ -110,6 +129,34 @@ std::vector<pigment::Srgb8> picture_colours(const pigment::Picture& picture, int
         colours.push_back(colour_of_oklab(lab));
     colours.erase(std::unique(colours.begin(), colours.end()), colours.end());
     return colours;
+}
+
+std::optional<pigment::Srgb8> mean_colour(const pigment::Picture& picture, double x_px, double y_px,
+                                          double half_px) {
+    if (!lies_on(picture, x_px, y_px)) return std::nullopt;
+    const Span columns = span_about(x_px, half_px, picture.width);
+    const Span rows = span_about(y_px, half_px, picture.height);
+    pigment::LinearRgb sum{};
+    float weight = 0.0F;
+    for (int y = rows.first; y < rows.last; ++y) {
+        for (int x = columns.first; x < columns.last; ++x) {
+            const std::uint8_t* pixel = &picture.rgba[4 * (std::size_t(y) * picture.width + x)];
+            const pigment::LinearRgb light = pigment::decoded({pixel[0], pixel[1], pixel[2]});
+            for (std::size_t i = 0; i < sum.size(); ++i)
+                sum[i] += pixel[3] * light[i];
+            weight += pixel[3];
+        }
+    }
+    if (weight == 0.0F) return std::nullopt;
+    for (float& channel : sum)
+        channel /= weight;
+    return pigment::encoded(sum);
+}
+
+pigment::Srgb8 grey_of(const pigment::Srgb8& colour) {
+    const pigment::LinearRgb light = pigment::decoded(colour);
+    const float luminance = static_cast<float>(pigment::relative_luminance(light));
+    return pigment::encoded({luminance, luminance, luminance});
 }
 
 }  // namespace pastoso::tools

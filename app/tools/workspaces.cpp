@@ -49,12 +49,13 @@ PanelArrangement oil() {
 }
 
 PanelArrangement at_home() {
-    return arrangement({.tabs = tools_paints_and_easel()},
-                       {.tabs = {alone("well_panel", 400),
-                                 {.panels = {"tool_panel", "colour_panel", "physics_panel",
-                                             "guides_panel", "light_panel"}},
-                                 {.panels = {"layers_panel", "tracing_panel", "history_panel",
-                                             "navigator_panel", "recorder_panel", "messages_panel"}}}});
+    return arrangement(
+        {.tabs = tools_paints_and_easel()},
+        {.tabs = {
+             alone("well_panel", 400),
+             {.panels = {"tool_panel", "colour_panel", "physics_panel", "guides_panel", "light_panel"}},
+             {.panels = {"layers_panel", "tracing_panel", "references_panel", "history_panel",
+                         "navigator_panel", "recorder_panel", "messages_panel"}}}});
 }
 
 PanelArrangement mixing() {

@@ -118,6 +118,15 @@ struct FieldBytes {
     void operator()(const SharedTracing& older, const SharedTracing& newer) {
         if (older && !(newer && older->picture == newer->picture)) sum += older->picture->rgba.size();
     }
+    void operator()(const SharedReferences& older, const SharedReferences& newer) {
+        if (!older || older == newer) return;
+        for (const Reference& reference : older->references) {
+            const Reference* still = find_reference(newer, reference.id);
+            sum += sizeof(Reference);
+            if (still == nullptr || still->picture != reference.picture)
+                sum += reference.picture->pixels.rgba.size() + reference.picture->png.size();
+        }
+    }
     void operator()(const Selection& older, const Selection& newer) {
         if (older && older != newer) sum += grid::bytes_in_part(*older);
     }

@@ -105,6 +105,7 @@ Snapshot Painting::snapshot() const {
             .masking = value.masking,
             .bare = value.bare,
             .tracing = value.tracing,
+            .references = value.references,
             .copied = value.copied};
 }
 bool Painting::can_undo() const {

@@ -42,6 +42,7 @@ struct Snapshot {
     Masking masking{};
     std::shared_ptr<const BareCanvas> bare{};
     std::shared_ptr<const layers::Tracing> tracing{};  ///< not in `film`; null: none
+    SharedReferences references{};
     std::shared_ptr<const film::FilmState> copied{};   ///< what PastePaint lays down; null: nothing
     std::uint64_t posted_actions = 0;  ///< those of a session's queue that are in it, from the first on
 };

@@ -11,6 +11,7 @@
 #include "document/canvas.hpp"
 #include "document/layers.hpp"
 #include "document/masking.hpp"
+#include "document/references.hpp"
 #include "document/selection.hpp"
 #include "film/state.hpp"
 #include "layers/tracing.hpp"
@@ -61,6 +62,7 @@ struct PaintingValue {
     Selection selection{};
     Masking masking{};
     SharedTracing tracing{};  ///< null: none
+    SharedReferences references{};
     CopiedPaint copied{};     ///< null: nothing; it is in no account
     PaintFlows flows{};
 };
@@ -71,9 +73,9 @@ struct PaintingValue {
 template <class Value>
 auto fields_of(Value& value) {
     auto& [bare, film, layers, well, brush, brush_aside, medium, tilt, air, aids, symmetry, selection,
-           masking, tracing, copied, flows] = value;
+           masking, tracing, references, copied, flows] = value;
     return std::tie(bare, film, layers, well, brush, brush_aside, medium, tilt, air, aids, symmetry,
-                    selection, masking, tracing, copied, flows);
+                    selection, masking, tracing, references, copied, flows);
 }
 
 /// Calls visit(field of the first value, field of the second, ...) for every field.

@@ -55,6 +55,7 @@ void LivingPainting::return_to(const Moment& then) {
     value.selection = then.value.selection;
     mask(then.value.masking);
     value.tracing = then.value.tracing;
+    value.references = then.value.references;
     value.flows = {.taken = then.value.flows.taken,
                    .wiped = then.value.flows.wiped,
                    .forgotten_run_off = difference(canvas.solver.runoff(), then.run_off)};

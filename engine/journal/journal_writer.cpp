@@ -66,6 +66,7 @@ bool is_picture(const document::Event& event) {
     const auto* texture = std::get_if<document::LayTexture>(&event.action);
     return std::holds_alternative<document::PaintPicture>(event.action) ||
            std::holds_alternative<document::LayTracing>(event.action) ||
+           std::holds_alternative<document::LayReference>(event.action) ||
            (texture != nullptr && std::holds_alternative<layers::PressedTexture>(texture->texture));
 }
 

@@ -224,17 +224,44 @@ std::shared_ptr<const grid::Mask> read_mask(const ZipReader& archive, const Pack
     return std::make_shared<const grid::Mask>(std::move(mask));
 }
 
+pigment::Picture decoded(const ZipReader& archive, const std::string& entry, std::string_view file) {
+    try {
+        return files::decode_png(file);
+    } catch (const core::InputError& error) {
+        archive.fail(entry, error.message());
+    }
+}
+
 void read_tracing(const ZipReader& archive, const document::SetTracing& set,
                   document::PaintingValue& painting) {
-    const Bytes file = archive.read(kTracingEntry, kMostTracingBytes);
-    auto picture = std::make_shared<pigment::Picture>();
-    try {
-        *picture = files::decode_png({reinterpret_cast<const char*>(file.data()), file.size()});
-    } catch (const core::InputError& error) {
-        archive.fail(kTracingEntry, error.message());
-    }
+    const std::string file = text_of(archive.read(kTracingEntry, kMostTracingBytes));
+    const auto picture = std::make_shared<const pigment::Picture>(decoded(archive, kTracingEntry, file));
     painting.tracing =
         std::make_shared<const layers::Tracing>(layers::Tracing{picture, set.place, set.opacity});
+}
+
+document::SharedReferencePicture read_reference_picture(const ZipReader& archive,
+                                                        const std::string& entry) {
+    auto picture = std::make_shared<document::ReferencePicture>();
+    picture->png = text_of(archive.read(entry, kMostReferenceBytes));
+    picture->pixels = decoded(archive, entry, picture->png);
+    return picture;
+}
+
+void read_references(const ZipReader& archive, const ProjectIndex& index,
+                     document::PaintingValue& painting) {
+    if (index.next_reference == 1) return;
+    auto board = std::make_shared<document::ReferenceBoard>();
+    board->next = index.next_reference;
+    for (const ReferenceIndex& told : index.references) {
+        const std::string entry = reference_entry(told.set.reference);
+        board->references.push_back({told.set.reference, told.name,
+                                     read_reference_picture(archive, entry), told.set.place,
+                                     told.set.look});
+        if (document::pixel_count(*board) > document::kMostReferencePixels)
+            archive.fail(entry, "makes the references larger than any board holds.");
+    }
+    painting.references = std::move(board);
 }
 
 /// Strokes that cannot be read cost their replay, not the painting.
@@ -286,6 +313,7 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     if (index.selection) value.selection = read_mask(archive, *index.selection, value.film.shape);
     if (index.masking) value.masking.cells = read_mask(archive, *index.masking, value.film.shape);
     if (index.tracing) read_tracing(archive, *index.tracing, value);
+    read_references(archive, index, value);
     read_strokes(archive, index.strokes, setup.canvas, painting.tick, project);
     return project;
 }

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace pastoso::project {
 namespace {
@@ -345,6 +346,42 @@ BrushIndex read_brush(const JsonPlace& place) {
     return brush;
 }
 
+Json references_json(const ProjectIndex& index) {
+    Json pictures = Json::array();
+    for (const ReferenceIndex& reference : index.references)
+        pictures.push_back(
+            {{"name", reference.name}, {"place", recordings::set_reference_json(reference.set)}});
+    return {{"next", index.next_reference}, {"pictures", std::move(pictures)}};
+}
+
+ReferenceIndex read_reference(const JsonPlace& place, document::ReferenceId next) {
+    place.allow_only({"name", "place"});
+    ReferenceIndex reference{place.entry("name").text(),
+                             recordings::read_set_reference(place.entry("place"))};
+    if (reference.name.size() > document::kMostReferenceName)
+        place.entry("name").fail("the name of a reference has %1 bytes, but at most %2 are kept.",
+                                 reference.name.size(), document::kMostReferenceName);
+    place.entry("place").guard([&] { document::check_action(reference.set); });
+    if (reference.set.reference >= next)
+        place.entry("place").fail("the number %1 has not been given yet.", reference.set.reference);
+    return reference;
+}
+
+void read_references(const JsonPlace& place, ProjectIndex& index) {
+    place.allow_only({"next", "pictures"});
+    index.next_reference = read_number(place.entry("next"));
+    const JsonPlace pictures = place.entry("pictures");
+    if (pictures.size() > document::kMostReferences)
+        pictures.fail("expected at most %1 references.", document::kMostReferences);
+    std::set<document::ReferenceId> numbers;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        index.references.push_back(read_reference(pictures.element(i), index.next_reference));
+        if (!numbers.insert(index.references.back().set.reference).second)
+            pictures.element(i).fail("there are two references %1.",
+                                     index.references.back().set.reference);
+    }
+}
+
 /// The largest of what the account counts of a surface.
 double largest_count(const SurfaceIndex& surface) {
     double largest = static_cast<double>(surface.evaporated);
@@ -381,10 +418,14 @@ void check_header(const JsonPlace& root) {
     }
     root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
                      "bare_support", "support_form", "well", "copied", "brush", "brush_aside",
-                     "selection", "masking", "tracing", "strokes"});
+                     "selection", "masking", "tracing", "references", "strokes"});
 }
 
 }  // namespace
+
+std::string reference_entry(document::ReferenceId reference) {
+    return kReferenceFolder + std::to_string(reference) + ".png";
+}
 
 document::LayerStack stack_of(const ProjectIndex& index) {
     document::LayerStack stack{.layers = {},
@@ -421,6 +462,7 @@ std::string index_to_json(const ProjectIndex& index) {
     if (index.selection) json["selection"] = packed_json(*index.selection);
     if (index.masking) json["masking"] = packed_json(*index.masking);
     if (index.tracing) json["tracing"] = recordings::set_tracing_json(*index.tracing);
+    if (index.next_reference > 1) json["references"] = references_json(index);
     json["strokes"] = packed_json(index.strokes);
     // Names of files need not be UTF-8.
     return json.dump(-1, ' ', false, files::Json::error_handler_t::replace) + "\n";
@@ -454,6 +496,7 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
         index.tracing = recordings::read_set_tracing(*tracing);
         tracing->guard([&] { document::check_action(*index.tracing); });
     }
+    if (const auto references = root.optional_entry("references")) read_references(*references, index);
     index.strokes = read_packed_alone(root.entry("strokes"), kMostStrokesBytes);
     check_sums(root, index);
     return index;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/actions/picture_actions.hpp"
+#include "document/actions/reference_actions.hpp"
 #include "document/painting_state.hpp"
 #include "film/support/support.hpp"
 #include "project/media_record.hpp"
@@ -60,6 +61,12 @@ struct BrushIndex {
     PackedEntry held;
 };
 
+/// A reference but for its picture, which is an entry of its own (reference_entry()).
+struct ReferenceIndex {
+    std::string name;
+    document::SetReference set;
+};
+
 struct ProjectIndex {
     std::string program;  ///< that wrote it
     std::int64_t tick = 0;
@@ -79,8 +86,12 @@ struct ProjectIndex {
     std::optional<PackedEntry> selection{};
     std::optional<PackedEntry> masking{};           ///< none in formats before 12
     std::optional<document::SetTracing> tracing{};  ///< where its picture lies in an entry of its own
+    std::vector<ReferenceIndex> references{};       ///< from below; none in formats before 12
+    document::ReferenceId next_reference = 1;
     PackedEntry strokes{};
 };
+
+std::string reference_entry(document::ReferenceId reference);
 
 /// The layers of an index as a stack without films.
 document::LayerStack stack_of(const ProjectIndex& index);

@@ -134,6 +134,16 @@ struct FieldKeeper {
         draft.index.tracing = {tracing->place, tracing->opacity};
         draft.archive.add(kTracingEntry, files::png_file(*tracing->picture));
     }
+    void operator()(const document::SharedReferences& board) const {
+        if (!board) return;
+        draft.index.next_reference = board->next;
+        for (const document::Reference& reference : board->references) {
+            draft.index.references.push_back(
+                {reference.name, {reference.id, reference.place, reference.look}});
+            draft.archive.add(reference_entry(reference.id),
+                              [picture = reference.picture] { return picture->png; });
+        }
+    }
     void operator()(const document::CopiedPaint& copied) const {
         if (copied) draft.index.copied = add_surface({*copied, {}}, kCopiedFolder, draft);
     }

@@ -56,6 +56,15 @@ document::SetTracing read_set_tracing(const files::JsonPlace& object) {
     return read_fields<document::SetTracing>(object, values);
 }
 
+files::Json set_reference_json(const document::SetReference& set) {
+    return fields_json(set);
+}
+
+document::SetReference read_set_reference(const files::JsonPlace& object) {
+    ValueReader values;
+    return read_fields<document::SetReference>(object, values);
+}
+
 files::Json look_json(const document::LayerLook& look) {
     return fields_json(look);
 }

@@ -28,6 +28,10 @@ FoundAction read_action(const files::JsonPlace& entry, ValueReader& values);
 files::Json set_tracing_json(const document::SetTracing& set);
 document::SetTracing read_set_tracing(const files::JsonPlace& object);
 
+/// The number of a reference, how it lies and how it shows, as fields of an object.
+files::Json set_reference_json(const document::SetReference& set);
+document::SetReference read_set_reference(const files::JsonPlace& object);
+
 /// The look of a layer or group, among other entries of an object.
 files::Json look_json(const document::LayerLook& look);
 document::LayerLook read_look(const files::JsonPlace& object);

@@ -67,6 +67,10 @@ Json value_json(const document::SharedPicture& picture) {
     return files::base64(files::png_file(*picture));
 }
 
+Json value_json(const document::SharedReferencePicture& picture) {
+    return files::base64(picture->png);
+}
+
 Json value_json(Surface surface) {
     return surface == Surface::Well ? "well" : "canvas";
 }
@@ -124,16 +128,25 @@ void ValueReader::read(const JsonPlace& place, const JsonPlace&,
         layers.push_back(static_cast<document::LayerId>(place.element(i).integer(1, document::kMostId)));
 }
 
-void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::SharedPicture& picture) {
-    const auto file = files::from_base64(place.text());
+document::ReferencePicture ValueReader::read_png(const JsonPlace& place) {
+    auto file = files::from_base64(place.text());
     if (!file) place.fail("the picture is no base64.");
-    auto decoded = std::make_shared<pigment::Picture>();
-    place.guard([&] { *decoded = files::decode_png(*file); });
-    picture_pixels_ += 1.0 * decoded->width * decoded->height;
+    document::ReferencePicture read{.pixels = {}, .png = std::move(*file)};
+    place.guard([&] { read.pixels = files::decode_png(read.png); });
+    picture_pixels_ += 1.0 * read.pixels.width * read.pixels.height;
     if (picture_pixels_ > document::kMostRecordedPixels)
         place.fail(
             "the pictures of this recording are too large; at most 500 million pixels in all are read.");
-    picture = std::move(decoded);
+    return read;
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::SharedPicture& picture) {
+    picture = std::make_shared<const pigment::Picture>(read_png(place).pixels);
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&,
+                       document::SharedReferencePicture& picture) {
+    picture = std::make_shared<const document::ReferencePicture>(read_png(place));
 }
 
 void ValueReader::read(const JsonPlace& place, const JsonPlace&, Surface& surface) {

@@ -21,6 +21,8 @@ files::Json value_json(const std::vector<document::CanvasPoint>& outline);
 files::Json value_json(const std::vector<document::LayerId>& layers);
 /// A PNG file in base64.
 files::Json value_json(const document::SharedPicture& picture);
+/// The PNG file that it was packed into.
+files::Json value_json(const document::SharedReferencePicture& picture);
 files::Json value_json(document::Surface surface);
 
 /// Reads the values of one recording. `object` is what has `place` as an entry. Throws InputError with
@@ -41,9 +43,14 @@ class ValueReader {
               std::vector<document::LayerId>& layers);
     void read(const files::JsonPlace& place, const files::JsonPlace& object,
               document::SharedPicture& picture);
+    void read(const files::JsonPlace& place, const files::JsonPlace& object,
+              document::SharedReferencePicture& picture);
     void read(const files::JsonPlace& place, const files::JsonPlace& object, document::Surface& surface);
 
   private:
+    /// A PNG file in base64: its bytes, and what it shows.
+    document::ReferencePicture read_png(const files::JsonPlace& place);
+
     double picture_pixels_ = 0.0;  ///< in all pictures so far
 };
 

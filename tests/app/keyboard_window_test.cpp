@@ -24,6 +24,7 @@
 #include "panels/pen/brush_list.hpp"
 #include "panels/pen/curve_editor.hpp"
 #include "panels/pen/pen_dialog.hpp"
+#include "panels/references/reference_view.hpp"
 #include "start/start_page.hpp"
 
 #include <algorithm>
@@ -78,7 +79,8 @@ bool is_control(const QWidget& widget) {
     if (is_one_of<QTabBar>(widget)) return !is_one_of<QMainWindow>(*widget.parentWidget());
     return is_one_of<QAbstractButton, QAbstractSpinBox, QComboBox, QLineEdit, QAbstractSlider,
                      QAbstractItemView, QPlainTextEdit, panels::DirectionDial, panels::CurveEditor,
-                     panels::ColourWheel, panels::NavigatorMap, panels::PictureBoard>(widget);
+                     panels::ColourWheel, panels::NavigatorMap, panels::PictureBoard,
+                     panels::ReferenceView>(widget);
 }
 
 std::string words_for(const QWidget& widget) {
@@ -192,8 +194,9 @@ TEST_F(Keyboard, APanelsCommandLeadsIntoItAndEscapeBackToTheCanvas) {
     QApplication::setActiveWindow(&window());
     for (const Command command :
          {Command::ToolPanel, Command::ColourPanel, Command::PhysicsPanel, Command::GuidesPanel,
-          Command::LightPanel, Command::LayersPanel, Command::TracingPanel, Command::HistoryPanel,
-          Command::NavigatorPanel, Command::RecorderPanel, Command::MessagesPanel}) {
+          Command::LightPanel, Command::LayersPanel, Command::TracingPanel, Command::ReferencesPanel,
+          Command::HistoryPanel, Command::NavigatorPanel, Command::RecorderPanel,
+          Command::MessagesPanel}) {
         SCOPED_TRACE(action(command)->text().toStdString());
         canvas().setFocus();
         action(command)->trigger();

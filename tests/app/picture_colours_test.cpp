@@ -87,5 +87,28 @@ TEST(PictureColours, AreTheSameEachTimeWhateverTheOrderOfPixels) {
     EXPECT_EQ(picture_colours(row_of(backwards), 8), colours);
 }
 
+TEST(PictureColours, AtAPlaceAreTheMeanOfLightAroundIt) {
+    const pigment::Picture picture = row_of({{0, 0, 0}, {255, 255, 255}, {0, 0, 0}, {200, 30, 20}});
+    EXPECT_EQ(mean_colour(picture, 1.9, 0.5, 0.1), (Srgb8{255, 255, 255}));
+    EXPECT_EQ(mean_colour(picture, 3.5, 0.5, 0.5), (Srgb8{200, 30, 20}));
+    EXPECT_EQ(mean_colour(picture, 1.0, 0.5, 1.0), (Srgb8{188, 188, 188})) << "half the light";
+    EXPECT_EQ(mean_colour(picture, 0.1, 0.1, 0.5), (Srgb8{0, 0, 0})) << "at the edge";
+}
+
+TEST(PictureColours, AtAPlaceCountByTheirAlphaAndThereAreNoneBeside) {
+    pigment::Picture picture = row_of({{0, 0, 0}, {90, 80, 70}});
+    picture.rgba[3] = 0;
+    EXPECT_EQ(mean_colour(picture, 1.0, 0.5, 1.0), (Srgb8{90, 80, 70}));
+    EXPECT_EQ(mean_colour(picture, 0.5, 0.5, 0.4), std::nullopt);
+    for (const double x_px : {-0.01, 2.0, 1e9})
+        EXPECT_EQ(mean_colour(picture, x_px, 0.5, 1.0), std::nullopt);
+}
+
+TEST(PictureColours, AGreyIsAsLightAsItsColour) {
+    EXPECT_EQ(grey_of({70, 70, 70}), (Srgb8{70, 70, 70}));
+    EXPECT_EQ(grey_of({255, 0, 0}), (Srgb8{127, 127, 127})) << "0.2126 of the light";
+    EXPECT_LT(grey_of({0, 0, 255})[0], grey_of({0, 255, 0})[0]);
+}
+
 }  // namespace
 }  // namespace pastoso::tools

@@ -496,6 +496,8 @@ TEST_F(StartWindow, OfADraggedPictureThePainterSaysWhatBecomesOfIt) {
     EXPECT_EQ(session().snapshot()->layers->layers.size(), 2U);
     choose_in_menu(1);
     EXPECT_NE(session().snapshot()->tracing, nullptr);
+    choose_in_menu(2);
+    EXPECT_NE(session().snapshot()->references, nullptr);
     EXPECT_EQ(size_on_easel(), "60 x 40, linen");
 
     const std::filesystem::path text = folder_.path() / "letter.txt";

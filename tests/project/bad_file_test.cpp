@@ -1,5 +1,6 @@
 // Files that are damaged, foreign, hostile or of another version: one sentence each, and nothing else.
 #include "core/error.hpp"
+#include "files/image.hpp"
 #include "files/temporary_folder.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
@@ -81,10 +82,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":11", "\"version\":12"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 12; this "
-        "program reads up to 11).");
-    EXPECT_THAT(error_of_index("\"version\":11", "\"version\":0"),
+        error_of_index("\"version\":12", "\"version\":13"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 13; this "
+        "program reads up to 12).");
+    EXPECT_THAT(error_of_index("\"version\":12", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }
@@ -152,6 +153,34 @@ TEST_F(BadProject, ATracingPictureThatIsNoneIsRefused) {
     Entries entries = entries_of(file);
     std::erase_if(entries, [](const auto& entry) { return entry.first == "pastoso/tracing.png"; });
     EXPECT_THAT(error_of(archive_of(entries)), HasSubstr("pastoso/tracing.png: is missing"));
+}
+
+TEST_F(BadProject, ABoardOfReferencesThatIsNoneIsRefused) {
+    Project project = busy_project(pool);
+    const pigment::Picture pixels{1, 1, {9, 9, 9, 255}};
+    const auto picture = std::make_shared<const document::ReferencePicture>(
+        document::ReferencePicture{pixels, files::png_file(pixels)});
+    project.painting.value.references =
+        std::make_shared<const document::ReferenceBoard>(document::ReferenceBoard{
+            {{2, "sky", picture, {1, 2, 3, 4, false}, {}}, {1, "hand", picture, {}, {}}}, 3});
+    file = file_of(project, folder, pool);
+    EXPECT_THAT(error_of_index("\"width_mm\":3.0", "\"width_mm\":0"),
+                HasSubstr("references.pictures[0].place: the width of the reference in mm is 0"));
+    EXPECT_THAT(error_of_index("\"reference\":1", "\"reference\":2"),
+                HasSubstr("references.pictures[1]: there are two references 2"));
+    EXPECT_THAT(error_of_index("\"next\":3", "\"next\":2"),
+                HasSubstr("references.pictures[0].place: the number 2 has not been given yet"));
+    EXPECT_THAT(error_of_index("\"name\":\"sky\"", "\"name\":\"" + std::string(201, 's') + "\""),
+                HasSubstr("references.pictures[0].name: the name of a reference has 201 bytes"));
+    EXPECT_THAT(error_of_entry("pastoso/references/2.png", "none"),
+                HasSubstr("it.pastoso, pastoso/references/2.png: the picture "));
+    Entries entries = entries_of(file);
+    std::erase_if(entries, [](const auto& entry) { return entry.first == "pastoso/references/1.png"; });
+    EXPECT_THAT(error_of(archive_of(entries)), HasSubstr("pastoso/references/1.png: is missing"));
+}
+
+TEST_F(BadProject, AnIndexWithoutReferencesIsReadAsItWas) {
+    EXPECT_EQ(error_of_index("\"version\":12", "\"version\":11"), "");
 }
 
 TEST_F(BadProject, SizesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {

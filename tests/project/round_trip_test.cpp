@@ -109,6 +109,13 @@ struct FieldComparer {
             EXPECT_EQ(*a, *b);
         }
     }
+    void operator()(const document::SharedReferences& a, const document::SharedReferences& b) const {
+        ASSERT_EQ(a != nullptr, b != nullptr);
+        if (!a) return;
+        EXPECT_EQ(*a, *b);
+        for (std::size_t i = 0; i < a->references.size(); ++i)
+            EXPECT_EQ(a->references[i].picture->png, b->references[i].picture->png);
+    }
     void operator()(const document::CopiedPaint& a, const document::CopiedPaint& b) const {
         ASSERT_EQ(a != nullptr, b != nullptr);
         if (a) (*this)(*a, *b);
@@ -227,6 +234,34 @@ TEST_F(ProjectRoundTrip, ATracingPictureComesBackToThePixel) {
     const LoadedProject loaded = saved_and_loaded(project);
     ASSERT_TRUE(loaded.painting.value.tracing);
     expect_equal(loaded.painting, project.painting);
+}
+
+document::SharedReferencePicture reference_picture(std::uint8_t red) {
+    const pigment::Picture pixels{3, 1, {red, 2, 3, 4, 250, 6, 7, 0, 8, 9, 10, 255}};
+    return std::make_shared<const document::ReferencePicture>(
+        document::ReferencePicture{pixels, files::png_file(pixels)});
+}
+
+TEST_F(ProjectRoundTrip, TheBoardOfReferencesComesBack) {
+    document::Painting painting({.width_mm = 20, .height_mm = 20, .px_per_mm = 4}, pool);
+    const auto expect_back = [&] {
+        const Project project{painting.state(), {}};
+        expect_equal(saved_and_loaded(project).painting, project.painting);
+    };
+    expect_back();
+    for (const document::Action& action : std::vector<document::Action>{
+             document::LayReference{"sky.jpg", {-2.5, 3, 20, 0, false}, reference_picture(1)},
+             document::LayReference{"hand.png", {400, -3, 20.25, 0, false}, reference_picture(200)},
+             document::LayReference{"", {0, 0, 1, 0, false}, reference_picture(30)},
+             document::SetReference{2, {400, -3, 21, -12.5, true}, {0.7, true}},
+             document::MoveReference{2, 0}, document::RemoveReference{1}, document::RemoveReference{2},
+             document::RemoveReference{3}}) {
+        painting.apply(action);
+        ASSERT_TRUE(painting.state().value.references);
+        expect_back();
+    }
+    painting.apply(document::LayReference{"next", {}, reference_picture(9)});
+    EXPECT_EQ(painting.state().value.references->references.front().id, 4U);
 }
 
 /// Every colour of a coarse table with every coverage.

@@ -73,6 +73,27 @@ TEST(PictureRecording, KeepsWhatWasTraced) {
                 HasSubstr("file, events[0].lay_tracing"));
 }
 
+TEST(PictureRecording, ReferencesAreReadAsTheyAreWritten) {
+    document::Recording kept = recording();
+    kept.arithmetic = 1;
+    const auto pixels = noise(5, 7);
+    const auto picture = std::make_shared<const document::ReferencePicture>(
+        document::ReferencePicture{*pixels, files::png_file(*pixels)});
+    kept.events = {{1, document::LayReference{"sky", {-3, 2.5, 20, 30, true}, picture}},
+                   {2, document::SetReference{1, {1, 2, 3, -4.5, false}, {0.3, true}}},
+                   {3, document::MoveReference{1, 0}},
+                   {4, document::RemoveReference{1}}};
+    const std::string text = recording_to_json(kept);
+    EXPECT_THAT(text, HasSubstr("\"version\": 14"));
+    const document::Recording read = recording_from_json(text, "file");
+    EXPECT_EQ(read, kept);
+    EXPECT_EQ(std::get<document::LayReference>(read.events[0].action).picture->png, picture->png);
+    EXPECT_THAT(sentence_of(changed(text, "0.3", "3")),
+                HasSubstr("events[1].set_reference: the opacity of the reference is 3"));
+    EXPECT_THAT(sentence_of(changed(text, "iVBOR", "iVB R")),
+                HasSubstr("events[0].lay_reference.png: the picture is no base64."));
+}
+
 TEST(PictureRecording, GivesTheSamePainting) {
     core::ThreadPool pool(2);
     const auto played = [&](const document::Recording& recording) {

@@ -4,6 +4,7 @@
 #include "main/files/project_files.hpp"
 #include "main/layers/picture_layers.hpp"
 #include "main/layers/tracing_commands.hpp"
+#include "main/references/reference_commands.hpp"
 
 #include <QDropEvent>
 #include <QFileInfo>
@@ -29,8 +30,8 @@ bool is_picture(const QString& ending) {
 }  // namespace
 
 DroppedFiles::DroppedFiles(Studio& studio, ProjectFiles& files, PictureLayers& pictures,
-                           TracingCommands& tracing)
-    : studio_(studio), files_(files), pictures_(pictures), tracing_(tracing) {
+                           TracingCommands& tracing, ReferenceCommands& references)
+    : studio_(studio), files_(files), pictures_(pictures), tracing_(tracing), references_(references) {
     studio_.window().setAcceptDrops(true);
     studio_.window().installEventFilter(this);
 }
@@ -75,6 +76,8 @@ void DroppedFiles::ask_about_picture(const QString& path, const QPoint& screen_p
     };
     add(tr("Put it on a &layer, as dry paint"), [this, path] { pictures_.paint_picture(path); });
     add(tr("&Trace it, below the paint"), [this, path] { tracing_.trace_picture(path); });
+    add(tr("&Keep it beside the canvas, as a reference"),
+        [this, path] { references_.add_files({path}); });
     add(tr("&New canvas made of it"), [this, path] { files_.ask_to_open(path); });
     menu->addSeparator();
     menu->addAction(tr("Leave it"));

@@ -11,13 +11,15 @@ namespace pastoso::main {
 
 class PictureLayers;
 class ProjectFiles;
+class ReferenceCommands;
 class TracingCommands;
 
 /// A painting or a recording is put up; of a picture the painter says what becomes of it.
 class DroppedFiles : public QObject {
     Q_OBJECT
   public:
-    DroppedFiles(Studio& studio, ProjectFiles& files, PictureLayers& pictures, TracingCommands& tracing);
+    DroppedFiles(Studio& studio, ProjectFiles& files, PictureLayers& pictures, TracingCommands& tracing,
+                 ReferenceCommands& references);
 
   protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -30,6 +32,7 @@ class DroppedFiles : public QObject {
     ProjectFiles& files_;
     PictureLayers& pictures_;
     TracingCommands& tracing_;
+    ReferenceCommands& references_;
 };
 
 }  // namespace pastoso::main

@@ -7,7 +7,6 @@
 #include "main/layers/picture_layers.hpp"
 #include "session/layer_painter.hpp"
 
-#include <cstring>
 #include <utility>
 
 #include <QClipboard>
@@ -52,16 +51,6 @@ class CopiedMime : public QMimeData {
     pigment::Bands ground_;
     mutable QImage picture_;
 };
-
-pigment::Picture picture_of(const QImage& image) {
-    const QImage rgba = image.convertToFormat(QImage::Format_RGBA8888);
-    pigment::Picture picture{rgba.width(), rgba.height(), {}};
-    const std::size_t row_bytes = std::size_t{4} * rgba.width();
-    picture.rgba.resize(row_bytes * rgba.height());
-    for (int y = 0; y < rgba.height(); ++y)
-        std::memcpy(&picture.rgba[row_bytes * y], rgba.constScanLine(y), row_bytes);
-    return picture;
-}
 
 /// From where the copied paint lay to where its middle is to be.
 glm::dvec2 way_mm(const film::FilmState& paint, const glm::dvec2& middle_mm) {
@@ -118,7 +107,8 @@ void Clipboard::paste(std::optional<glm::dvec2> middle_mm) {
         const glm::dvec2 move_mm = middle_mm ? way_mm(*copied, *middle_mm) : glm::dvec2(0.0);
         studio_.session().post(document::PastePaint{tr("Pasted").toStdString(), move_mm.x, move_mm.y});
     } else if (holds_picture) {
-        pictures_.paint_picture(picture_of(qvariant_cast<QImage>(held->imageData())), tr("Pasted"));
+        pictures_.paint_picture(appearance::picture_of(qvariant_cast<QImage>(held->imageData())),
+                                tr("Pasted"));
     } else {
         studio_.report(tr("There is nothing to paste: no paint and no picture has been copied."));
     }

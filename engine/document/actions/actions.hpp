@@ -15,6 +15,7 @@
 #include "document/actions/media_actions.hpp"
 #include "document/actions/pen_actions.hpp"
 #include "document/actions/picture_actions.hpp"
+#include "document/actions/reference_actions.hpp"
 #include "document/actions/selection_actions.hpp"
 #include "document/actions/texture_actions.hpp"
 #include "document/actions/well_actions.hpp"
@@ -36,10 +37,10 @@ template <class... First, class... Second, class... Rest>
 struct JoinedActions<ActionList<First...>, ActionList<Second...>, Rest...>
     : JoinedActions<ActionList<First..., Second...>, Rest...> {};
 
-using AllActions =
-    JoinedActions<BrushActions, MediaActions, CanvasActions, PenActions, WellActions, HistoryActions,
-                  AidActions, LayerActions, GroupActions, SelectionActions, MarginActions,
-                  MaskingActions, PictureActions, CopyActions, FillActions, TextureActions>;
+using AllActions = JoinedActions<BrushActions, MediaActions, CanvasActions, PenActions, WellActions,
+                                 HistoryActions, AidActions, LayerActions, GroupActions,
+                                 SelectionActions, MarginActions, MaskingActions, PictureActions,
+                                 CopyActions, FillActions, TextureActions, ReferenceActions>;
 
 using Action = AllActions::Variant;
 

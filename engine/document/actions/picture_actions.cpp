@@ -15,24 +15,25 @@ void trace(layers::Tracing tracing, LivingPainting& painting) {
 
 }  // namespace
 
-void check_picture(const SharedPicture& picture) {
-    PASTOSO_CHECK(picture != nullptr);
-    const int width = picture->width, height = picture->height;
+void check_picture(const pigment::Picture& picture) {
+    const int width = picture.width, height = picture.height;
     constexpr core::Pattern<0> kUnit = core::Pattern<0>("pixels");
     check_between(core::message("width of the picture"), kUnit, width, 1, pigment::kMostPictureSide_px);
     check_between(core::message("height of the picture"), kUnit, height, 1,
                   pigment::kMostPictureSide_px);
     check_between(core::message("number of the picture's pixels"), "", 1.0 * width * height, 1,
                   pigment::kMostPicturePixels);
-    PASTOSO_CHECK_OP(picture->rgba.size(), ==, std::size_t{4} * width * height);
+    PASTOSO_CHECK_OP(picture.rgba.size(), ==, std::size_t{4} * width * height);
 }
 
 void check_whole(const PaintPicture& paint) {
-    check_picture(paint.picture);
+    PASTOSO_CHECK(paint.picture != nullptr);
+    check_picture(*paint.picture);
 }
 
 void check_whole(const LayTracing& lay) {
-    check_picture(lay.picture);
+    PASTOSO_CHECK(lay.picture != nullptr);
+    check_picture(*lay.picture);
 }
 
 bool changes_anything(const LayTracing& lay, const LivingPainting& painting) {

@@ -58,8 +58,7 @@ using PictureActions = ActionList<PaintPicture, LayTracing, SetTracing>;
 bool changes_anything(const LayTracing& lay, const LivingPainting& painting);
 bool changes_anything(const SetTracing& set, const LivingPainting& painting);
 /// Throws InputError where it has more pixels than a recording may hold.
-void check_picture(const SharedPicture& picture);
-
+void check_picture(const pigment::Picture& picture);
 void check_whole(const PaintPicture& paint);
 void check_whole(const LayTracing& lay);
 void apply(const PaintPicture& paint, LivingPainting& painting);

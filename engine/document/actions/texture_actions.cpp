@@ -1,5 +1,6 @@
 #include "document/actions/texture_actions.hpp"
 
+#include "core/check.hpp"
 #include "document/actions/field_checks.hpp"
 #include "document/living_painting.hpp"
 #include "document/paint_mixing.hpp"
@@ -22,8 +23,10 @@ film::Medium unshrinking(film::Medium medium) {
 
 void check_whole(const LayTexture& lay) {
     check_paint(lay.paint);
-    if (const auto* pressed = std::get_if<layers::PressedTexture>(&lay.texture))
-        check_picture(pressed->picture);
+    if (const auto* pressed = std::get_if<layers::PressedTexture>(&lay.texture)) {
+        PASTOSO_CHECK(pressed->picture != nullptr);
+        check_picture(*pressed->picture);
+    }
 }
 
 void check_possible(const LayTexture&, const LivingPainting& painting) {
