@@ -60,8 +60,9 @@ TEST(Stripes, TakeTheCellsNearTheLineAndNoOthers) {
             for (std::size_t i = 0; i + 1 < line.size(); ++i)
                 nearest = std::min(nearest, distance({x + 0.5, y + 0.5}, line[i], line[i + 1]));
             // Rounding decides where a centre lies on the border to 1e-9.
-            if (std::abs(nearest - radius) > 1e-9)
+            if (std::abs(nearest - radius) > 1e-9) {
                 ASSERT_EQ(mask.at(x, y) != 0, nearest < radius) << x << ", " << y;
+            }
         }
 }
 
