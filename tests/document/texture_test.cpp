@@ -106,6 +106,26 @@ TEST_F(TextureTest, KeepsToTheSelection) {
     expect_balance();
 }
 
+TEST_F(TextureTest, KeepsOffWhatIsMaskedAndLockedBare) {
+    const auto most_beside_mm = [&] {
+        double most_mm = 0.0;
+        for (int x = 50; x < 160; ++x)
+            most_mm = std::max(most_mm, paste_mm(x, 60));
+        return most_mm;
+    };
+    painting.apply(MaskStripe{{{10, 0}, {10, 30}}, 4.0, true});
+    painting.apply(white(knifed));
+    EXPECT_EQ(paste_mm(40, 60), 0.0);
+    const double once_mm = most_beside_mm();
+    EXPECT_GT(once_mm, 0.03);
+    painting.apply(PeelMasking{});
+    painting.apply(SetLayer{1, {.name = "Paint", .bare_locked = true}});
+    painting.apply(white(knifed));
+    EXPECT_EQ(paste_mm(40, 60), 0.0);
+    EXPECT_GT(most_beside_mm(), once_mm);
+    expect_balance();
+}
+
 TEST_F(TextureTest, APictureRisesWhereItIsBright) {
     painting.apply(white(ramp));
     EXPECT_EQ(paste_mm(10, 28), 0.0);

@@ -40,8 +40,9 @@ UndoStep undo_step(const LayTexture&, const LivingPainting& painting) {
 void apply(const LayTexture& lay, LivingPainting& painting) {
     const film::FilmState& film = painting.value.film;
     const film::Medium paste = unshrinking(painting.medium);
-    const auto relief = layers::texture_relief(lay.texture, film.shape, film.cell_mm,
-                                               painting.value.selection.get(), painting.pool);
+    const Selection reached = painting.within_reach();
+    const auto relief =
+        layers::texture_relief(lay.texture, film.shape, film.cell_mm, reached.get(), painting.pool);
     film::FilmState coat =
         layers::poured_film({.medium = paste, .paint = mixed_paint(lay.paint, paste), .relief = &relief},
                             film.shape, film.cell_mm, nullptr, painting.pool);
