@@ -85,6 +85,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     parts_->place.give_back();
     parts_->view.leave_canvas_only();
     parts_->paints.remember();
+    parts_->tubes.remember_palette();
     parts_->memory.remember();
     parts_->popup.remember();
     parts_->brush_shelf.remember();

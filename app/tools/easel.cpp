@@ -334,6 +334,7 @@ void Easel::squeeze(double x_mm, double y_mm) {
 
 void Easel::squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm) {
     end_stroke();
+    squeezed_paints_.note(paint);
     post_(SqueezePaint{paint, kDollop_mm3, std::clamp(x_mm, 0.0, kWellWidth_mm),
                        std::clamp(y_mm, 0.0, kWellHeight_mm)});
 }
@@ -349,6 +350,7 @@ void Easel::squeeze_next(const document::PaintRecipe& paint) {
 void Easel::clean_well() {
     end_stroke();
     squeezed_ = 0;
+    squeezed_paints_.wipe();
     post_(CleanWell{});
 }
 

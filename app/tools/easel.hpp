@@ -5,6 +5,7 @@
 #include "document/events.hpp"
 #include "tools/hand.hpp"
 #include "tools/heading.hpp"
+#include "tools/squeezed_paints.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -127,6 +128,9 @@ class Easel {
     void squeeze_next(const document::PaintRecipe& paint);
     void clean_well();
 
+    /// What was squeezed out here.
+    SqueezedPaints& squeezed_paints() { return squeezed_paints_; }
+
     /// While a recording is played the brush is in another hand: presses paint nothing.
     void lend_brush(bool lent) { lent_ = lent; }
     bool brush_is_lent() const { return lent_; }
@@ -172,6 +176,7 @@ class Easel {
     double share_before_wash_ = 1.0;                             ///< of paint in the medium in hand
     bool mixed_ = false;               ///< the brush was in the well since it was loaded
     int squeezed_ = 0;                 ///< places of the row that are taken
+    SqueezedPaints squeezed_paints_;
     Pointer pressed_, latest_;         ///< of the latest stroke on the canvas
     std::optional<Pointer> start_;     ///< of a stroke whose direction is not known yet
     double start_rotation_deg_ = 0.0;  ///< that it began with

@@ -92,6 +92,24 @@ TEST_F(EaselTest, TheWellKnowsNoRulerAndNoPointersElsewhere) {
     EXPECT_THAT(posted(), ElementsAre("down", "up"));
 }
 
+TEST_F(EaselTest, KnowsThePaintsOfTheLastWell) {
+    const document::PaintRecipe blue{{{"PB29", 1.0}}, 1.0}, white{{{"PW6", 1.0}}, 1.0};
+    SqueezedPaints& paints = easel_.squeezed_paints();
+    for (const document::PaintRecipe& paint : {blue, white, blue})
+        easel_.squeeze_next(paint);
+    EXPECT_TRUE(paints.last().empty());
+    EXPECT_THAT(paints.latest(), ElementsAre(blue, white));
+    paints.begin();
+    EXPECT_THAT(paints.last(), ElementsAre(blue, white));
+    paints.begin();
+    EXPECT_THAT(paints.last(), ElementsAre(blue, white)) << "beside that painting there was none";
+    easel_.squeeze_next(white);
+    EXPECT_THAT(paints.last(), ElementsAre(blue, white));
+    EXPECT_THAT(paints.latest(), ElementsAre(white));
+    easel_.clean_well();
+    EXPECT_THAT(paints.latest(), ElementsAre(blue, white)) << "the well is bare";
+}
+
 TEST_F(EaselTest, SqueezesInTwoRowsAlongTheEdges) {
     std::vector<SqueezePaint> squeezes;
     for (int i = 0; i < 11; ++i) {

@@ -453,6 +453,19 @@ TEST_F(Tubes, OfASetAreSqueezedOutTogether) {
     EXPECT_TRUE(session().take_errors().empty());
 }
 
+TEST_F(Tubes, OfTheLastWellAreSqueezedOutAgain) {
+    Q_EMIT panel().sets().last_palette_wanted();
+    EXPECT_EQ(told(), "No paint was squeezed out beside an earlier painting yet.");
+    for (const char* tube : {"PR108", "PB29", "PR108"})
+        studio().easel().squeeze_next({{{tube, 1.0}}, 1.0});
+    EXPECT_EQ(squeezed().size(), 3U);
+    start_again();
+    EXPECT_TRUE(squeezed().empty());
+    Q_EMIT panel().sets().last_palette_wanted();
+    EXPECT_EQ(squeezed(), (std::vector<std::string>{"PR108", "PB29"}));
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
 // ---- the eyedropper
 
 class Eyedropper : public MixingWindow {

@@ -3,6 +3,7 @@
 #include "core/user_data.hpp"
 #include "panels/paint/paint_panel.hpp"
 #include "panels/paint/tube_menu.hpp"
+#include "tools/paint_shelf.hpp"
 #include "tools/swatch.hpp"
 
 #include <QAction>
@@ -20,6 +21,8 @@ tools::Tubes tubes_of(const QStringList& names) {
     return tubes;
 }
 
+static_assert(tools::SqueezedPaints::kMost <= tools::kMostKeptPaints, "they are kept as kept paints");
+
 QStringList names_of(const tools::Tubes& tubes) {
     QStringList names;
     for (const std::string& tube : tubes)
@@ -34,7 +37,8 @@ TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
       panel_(tubes),
       all_(tubes_of(tubes->tubes())),
       file_(studio, core::user_data_path("tubes.json"),
-            [](const auto& file) { tools::read_rack(file); }) {
+            [](const auto& file) { tools::read_rack(file); }),
+      palette_file_(studio, core::user_data_path("last-palette.json")) {
     panels::TubeMenu& sets = panel_->sets();
     connect(panel_, &panels::PaintPanel::arranged, this,
             [this] { change([this](auto& rack) { tools::arrange(tubes_of(panel_->tubes()), rack); }); });
@@ -51,7 +55,8 @@ TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
         change([&](auto& rack) { rack.chosen = name.toStdString(); });
     });
     connect(&sets, &panels::TubeMenu::removal_wanted, this, [this] { change(tools::remove_chosen); });
-    connect(&sets, &panels::TubeMenu::squeeze_wanted, this, &TubeCommands::squeeze_out);
+    connect(&sets, &panels::TubeMenu::squeeze_wanted, this, &TubeCommands::squeeze_set);
+    connect(&sets, &panels::TubeMenu::last_palette_wanted, this, &TubeCommands::squeeze_last_palette);
     connect(&sets, &panels::TubeMenu::export_wanted, this, &TubeCommands::ask_export);
     connect(&sets, &panels::TubeMenu::import_wanted, this, &TubeCommands::ask_import);
     connect(&sets, &panels::TubeMenu::save_wanted, this, [this] {
@@ -66,11 +71,22 @@ TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
 
 void TubeCommands::recall() {
     file_.recall([this](const auto& file) { rack_ = tools::read_rack(file); });
+    palette_file_.recall([this](const auto& file) {
+        studio_.easel().squeezed_paints().set_last(tools::read_shelf(file).kept);
+    });
     show();
 }
 
 void TubeCommands::remember() {
     file_.remember([this](const auto& file) { tools::write_rack(rack_, file); });
+}
+
+/// As a set of paints is written, which it is.
+void TubeCommands::remember_palette() {
+    tools::PaintShelf palette;
+    palette.kept = studio_.easel().squeezed_paints().latest();
+    if (palette.kept.empty()) return;
+    palette_file_.remember([&](const auto& file) { tools::write_shelf(palette, file); });
 }
 
 /// Null where it is given up.
@@ -130,12 +146,27 @@ void TubeCommands::change(const std::function<void(tools::TubeRack&)>& work) {
     remember();
 }
 
-/// From the first place of the well's edge on, in the painter's order.
-void TubeCommands::squeeze_out() {
-    for (const std::string& tube : tools::shown_tubes(rack_, all_))
-        studio_.easel().squeeze_next(tools::tube_paint(tube));
+/// From the first free place of the well's edge on.
+void TubeCommands::squeeze_out(const std::vector<document::PaintRecipe>& paints) {
+    for (const document::PaintRecipe& paint : paints)
+        studio_.easel().squeeze_next(paint);
     QAction* well = studio_.commands().action(commands::Command::MixingWell);
     if (!well->isChecked()) well->trigger();
+}
+
+/// In the painter's order.
+void TubeCommands::squeeze_set() {
+    std::vector<document::PaintRecipe> paints;
+    for (const std::string& tube : tools::shown_tubes(rack_, all_))
+        paints.push_back(tools::tube_paint(tube));
+    squeeze_out(paints);
+}
+
+void TubeCommands::squeeze_last_palette() {
+    const std::vector<document::PaintRecipe> paints = studio_.easel().squeezed_paints().last();
+    if (paints.empty())
+        return studio_.report(tr("No paint was squeezed out beside an earlier painting yet."));
+    squeeze_out(paints);
 }
 
 void TubeCommands::show() {

@@ -7,6 +7,7 @@
 #include "tools/tube_rack.hpp"
 
 #include <functional>
+#include <vector>
 
 #include <QObject>
 
@@ -24,6 +25,8 @@ class TubeCommands : public QObject {
     /// A file that cannot be read is told, and left as it is.
     void recall();
     void remember();
+    /// The paints on the well, for the next painting.
+    void remember_palette();
 
     /// Makes a set of the tubes that are shown. A name of blanks is told.
     void save_set(const QString& name);
@@ -40,7 +43,9 @@ class TubeCommands : public QObject {
     void ask_import();
     QString asked_name(const QString& title, const QString& name);
     void change(const std::function<void(tools::TubeRack&)>& work);
-    void squeeze_out();
+    void squeeze_out(const std::vector<document::PaintRecipe>& paints);
+    void squeeze_set();
+    void squeeze_last_palette();
     void show();
 
     Studio& studio_;
@@ -48,6 +53,7 @@ class TubeCommands : public QObject {
     tools::Tubes all_;  ///< as they ship
     tools::TubeRack rack_;
     RememberedFile file_;
+    RememberedFile palette_file_;  ///< of the paints on the last well
 };
 
 }  // namespace pastoso::main

@@ -52,6 +52,8 @@ void TubeMenu::fill() {
     menu()
         ->addAction(tr("Squeeze these onto the mixing well"), this, &TubeMenu::squeeze_wanted)
         ->setEnabled(!chosen_.isEmpty());
+    menu()->addAction(tr("Squeeze out the last painting's palette"), this,
+                      &TubeMenu::last_palette_wanted);
 }
 
 }  // namespace pastoso::panels

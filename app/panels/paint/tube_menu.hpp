@@ -23,6 +23,7 @@ class TubeMenu : public QToolButton {
     void rename_wanted();
     void removal_wanted();
     void squeeze_wanted();
+    void last_palette_wanted();
     void export_wanted();  ///< of all sets
     void import_wanted();
 
