@@ -45,22 +45,23 @@ bool holds(const std::vector<glm::dvec2>& outline, const glm::dvec2& place) {
     return true;
 }
 
-}  // namespace
-
-glm::dvec2 disc_place(const Channels& oklch) {
-    const double most = most_chroma(oklch[0], oklch[2]);
-    return at(most > 0.0 ? std::min(oklch[1] / most, 1.0) : 0.0, oklch[2]);
+glm::dvec2 turned(const glm::dvec2& place, double turn_deg) {
+    const glm::dvec2 way = at(1.0, turn_deg);
+    return {way.x * place.x - way.y * place.y, way.y * place.x + way.x * place.y};
 }
 
-Channels colour_on_disc(double lightness, const glm::dvec2& place, double hue_deg) {
-    const double saturation = std::min(glm::length(place), 1.0);
-    if (saturation > 0.0) hue_deg = turned_deg(core::degrees(std::atan2(place.y, place.x)));
-    return {lightness, saturation * most_chroma(lightness, hue_deg), hue_deg};
+bool is_convex(const std::vector<glm::dvec2>& outline) {
+    constexpr double kFlat = 1e-3;
+    const std::size_t count = outline.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec2& corner = outline[(i + 1) % count];
+        if (cross(corner - outline[i], outline[(i + 2) % count] - corner) < kFlat) return false;
+    }
+    return true;
 }
 
-std::vector<glm::dvec2> mask_outline(const GamutMask& mask) {
-    const double turn = mask.turn_deg;
-    switch (mask.shape) {
+std::vector<glm::dvec2> own_outline(MaskShape shape, double turn) {
+    switch (shape) {
         case MaskShape::Triad:
             return {at(1.0, turn), at(1.0, turn + 120.0), at(1.0, turn + 240.0)};
         case MaskShape::AtmosphericTriad:
@@ -76,6 +77,45 @@ std::vector<glm::dvec2> mask_outline(const GamutMask& mask) {
             break;
     }
     return {};
+}
+
+}  // namespace
+
+glm::dvec2 disc_place(const Channels& oklch) {
+    const double most = most_chroma(oklch[0], oklch[2]);
+    return at(most > 0.0 ? std::min(oklch[1] / most, 1.0) : 0.0, oklch[2]);
+}
+
+Channels colour_on_disc(double lightness, const glm::dvec2& place, double hue_deg) {
+    const double saturation = std::min(glm::length(place), 1.0);
+    if (saturation > 0.0) hue_deg = turned_deg(core::degrees(std::atan2(place.y, place.x)));
+    return {lightness, saturation * most_chroma(lightness, hue_deg), hue_deg};
+}
+
+std::vector<glm::dvec2> mask_outline(const GamutMask& mask) {
+    if (mask.corners.empty()) return own_outline(mask.shape, mask.turn_deg);
+    std::vector<glm::dvec2> outline;
+    for (const glm::dvec2& corner : mask.corners)
+        outline.push_back(turned(corner, mask.turn_deg));
+    return outline;
+}
+
+std::size_t movable_corners(MaskShape shape) {
+    return shape == MaskShape::Circle ? 0 : own_outline(shape, 0.0).size();
+}
+
+bool are_corners(const std::vector<glm::dvec2>& corners, MaskShape shape) {
+    constexpr double kRim = 1.0 + 1e-9;
+    return !corners.empty() && corners.size() == movable_corners(shape) && is_convex(corners) &&
+           std::all_of(corners.begin(), corners.end(),
+                       [](const glm::dvec2& corner) { return glm::length(corner) <= kRim; });
+}
+
+GamutMask with_corner(const GamutMask& mask, std::size_t corner, const glm::dvec2& place) {
+    GamutMask moved = mask;
+    if (moved.corners.empty()) moved.corners = own_outline(mask.shape, 0.0);
+    moved.corners.at(corner) = turned(place / std::max(1.0, glm::length(place)), -mask.turn_deg);
+    return are_corners(moved.corners, mask.shape) ? moved : mask;
 }
 
 glm::dvec2 held_inside(const std::vector<glm::dvec2>& outline, const glm::dvec2& place) {

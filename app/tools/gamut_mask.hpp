@@ -5,6 +5,7 @@
 #include "tools/colour_models.hpp"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -20,6 +21,8 @@ inline constexpr std::array<const char*, 6> kMaskNames = {
 struct GamutMask {
     MaskShape shape = MaskShape::None;
     double turn_deg = 0.0;  ///< of its first corner from hue 0; 0 to 360
+    /// Where the painter has moved them, before the turn; empty: the shape's own.
+    std::vector<glm::dvec2> corners{};
     friend bool operator==(const GamutMask&, const GamutMask&) = default;
 };
 
@@ -33,6 +36,16 @@ Channels colour_on_disc(double lightness, const glm::dvec2& place, double hue_de
 
 /// The mask's corners on the disc, anticlockwise; the shape is convex. None where it is MaskShape::None.
 std::vector<glm::dvec2> mask_outline(const GamutMask& mask);
+
+/// How many corners a painter may move: none of a circle.
+std::size_t movable_corners(MaskShape shape);
+
+/// Whether they may be corners of the shape: as many, on the disc, anticlockwise and convex.
+bool are_corners(const std::vector<glm::dvec2>& corners, MaskShape shape);
+
+/// The mask with that corner of its outline at a place of the disc, or on the rim towards it; as it was
+/// where it would not be convex any more.
+GamutMask with_corner(const GamutMask& mask, std::size_t corner, const glm::dvec2& place);
 
 /// The place itself where a convex outline holds it, otherwise the nearest on the outline. An empty
 /// outline holds everything.

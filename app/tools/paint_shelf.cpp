@@ -99,17 +99,32 @@ std::size_t read_name(const JsonPlace& place, const std::array<const char*, kCou
 }
 
 Json aids_json(const ColourAids& aids) {
-    return {{"harmony", kHarmonyNames.at(static_cast<std::size_t>(aids.harmony))},
-            {"mask", kMaskNames.at(static_cast<std::size_t>(aids.mask.shape))},
-            {"turn_deg", aids.mask.turn_deg}};
+    Json json{{"harmony", kHarmonyNames.at(static_cast<std::size_t>(aids.harmony))},
+              {"mask", kMaskNames.at(static_cast<std::size_t>(aids.mask.shape))},
+              {"turn_deg", aids.mask.turn_deg}};
+    for (const glm::dvec2& corner : aids.mask.corners)
+        json["corners"].push_back({corner.x, corner.y});
+    return json;
+}
+
+std::vector<glm::dvec2> read_corners(const JsonPlace& place, MaskShape shape) {
+    std::vector<glm::dvec2> corners;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const JsonPlace corner = place.element(i);
+        corners.emplace_back(corner.element(0).number(), corner.element(1).number());
+    }
+    if (!are_corners(corners, shape)) place.fail("these are no corners of that mask.");
+    return corners;
 }
 
 ColourAids read_aids(const JsonPlace& place) {
-    place.allow_only({"harmony", "mask", "turn_deg"});
+    place.allow_only({"harmony", "mask", "turn_deg", "corners"});
     ColourAids aids;
     aids.harmony = static_cast<Harmony>(read_name(place.entry("harmony"), kHarmonyNames));
     aids.mask.shape = static_cast<MaskShape>(read_name(place.entry("mask"), kMaskNames));
     aids.mask.turn_deg = turned_deg(place.entry("turn_deg").number());
+    if (const auto corners = place.optional_entry("corners"))
+        aids.mask.corners = read_corners(*corners, aids.mask.shape);
     return aids;
 }
 

@@ -54,6 +54,34 @@ TEST(GamutMasks, AreConvexOnTheDiscAndTurn) {
     EXPECT_TRUE(mask_outline({MaskShape::None, 10.0}).empty());
 }
 
+TEST(GamutMasks, HaveCornersThatCanBeMovedAndTurnWithThem) {
+    const GamutMask mask{MaskShape::Triad, 90.0};
+    const GamutMask moved = with_corner(mask, 0, {0.2, 0.5});
+    EXPECT_EQ(moved.shape, mask.shape);
+    EXPECT_LT(glm::distance(mask_outline(moved)[0], {0.2, 0.5}), 1e-12);
+    for (const std::size_t other : {std::size_t{1}, std::size_t{2}})
+        EXPECT_LT(glm::distance(mask_outline(moved)[other], mask_outline(mask)[other]), 1e-12);
+    GamutMask further = moved;
+    further.turn_deg = 160.0;
+    EXPECT_LT(glm::distance(mask_outline(further)[0], turned({0.2, 0.5}, 70.0)), 1e-12);
+    EXPECT_NEAR(glm::length(mask_outline(with_corner(mask, 0, {0.0, 7.0}))[0]), 1.0, 1e-12);
+    EXPECT_EQ(with_corner(mask, 0, {0.0, -0.9}), mask) << "the corners would go round the other way";
+    EXPECT_EQ(with_corner(moved, 0, {0.0, -0.9}), moved);
+}
+
+TEST(GamutMasks, HaveAsManyCornersAsTheirShape) {
+    EXPECT_EQ(movable_corners(MaskShape::None), 0U);
+    EXPECT_EQ(movable_corners(MaskShape::Circle), 0U);
+    EXPECT_EQ(movable_corners(MaskShape::SplitComplementary), 5U);
+    const std::vector<glm::dvec2> triangle = {{0.5, 0.0}, {0.0, 0.5}, {-0.5, 0.0}};
+    EXPECT_TRUE(are_corners(triangle, MaskShape::Triad));
+    EXPECT_FALSE(are_corners(triangle, MaskShape::Complementary));
+    EXPECT_FALSE(are_corners({}, MaskShape::None));
+    EXPECT_FALSE(are_corners({triangle[2], triangle[1], triangle[0]}, MaskShape::Triad)) << "clockwise";
+    EXPECT_FALSE(are_corners({{2.0, 0.0}, {0.0, 0.5}, {-0.5, 0.0}}, MaskShape::Triad)) << "off the disc";
+    EXPECT_FALSE(are_corners({{0.5, 0.0}, {0.0, 0.0}, {-0.5, 0.0}}, MaskShape::Triad)) << "flat";
+}
+
 TEST(GamutMasks, HoldWhatIsOutsideToTheNearestPlace) {
     const std::vector<glm::dvec2> square = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
     EXPECT_EQ(held_inside(square, {0.3, -0.9}), glm::dvec2(0.3, -0.9));

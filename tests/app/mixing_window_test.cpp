@@ -4,6 +4,7 @@
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
 #include "main/window_parts.hpp"
+#include "panels/colour/colour_panel.hpp"
 #include "panels/colour/colour_wheel.hpp"
 #include "panels/paint/paint_panel.hpp"
 #include "panels/paint/tube_menu.hpp"
@@ -676,6 +677,35 @@ TEST_F(Wheel, AGamutMaskHoldsWhatIsChosen) {
     find<QSpinBox>("mask_turn").setValue(180);
     place = click_disc({-0.9, 0.0});
     EXPECT_NEAR(place.x, -0.9, 0.02) << "there is a corner now";
+}
+
+TEST_F(Wheel, ACornerOfTheMaskIsDraggedAndFoundAgain) {
+    auto& shape = find<QComboBox>("mask_shape");
+    const auto choose = [&](tools::MaskShape chosen) {
+        shape.setCurrentIndex(static_cast<int>(chosen));
+        Q_EMIT shape.activated(shape.currentIndex());
+    };
+    choose(tools::MaskShape::Triad);
+    type(QStringLiteral("#a06040"));
+    const tools::Channels colour = wheel().oklch();
+    const auto before = paint();
+    drag(wheel().disc_position({1.0, 0.0}), wheel().disc_position({0.4, 0.2}));
+    EXPECT_EQ(wheel().oklch(), colour);
+    EXPECT_EQ(paint()[0].pigment, before[0].pigment) << "no colour is taken by it";
+    start_again();
+    const auto outline =
+        tools::mask_outline(window().findChild<panels::ColourPanel*>()->shelf().aids.mask);
+    ASSERT_EQ(outline.size(), 3U);
+    EXPECT_NEAR(outline[0].x, 0.4, 0.03);  // two pixels of the disc
+    EXPECT_NEAR(outline[0].y, 0.2, 0.03);
+    auto& again = find<QComboBox>("mask_shape");
+    for (const auto chosen : {tools::MaskShape::Complementary, tools::MaskShape::Triad}) {
+        again.setCurrentIndex(static_cast<int>(chosen));
+        Q_EMIT again.activated(again.currentIndex());
+    }
+    EXPECT_NEAR(tools::mask_outline(window().findChild<panels::ColourPanel*>()->shelf().aids.mask)[0].x,
+                1.0, 1e-9)
+        << "another shape has its own corners";
 }
 
 TEST_F(Wheel, TheAidsAreThereAtTheNextStart) {

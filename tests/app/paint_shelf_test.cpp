@@ -39,7 +39,7 @@ TEST_F(PaintShelfTest, ComesBackAsItWasWritten) {
     note_recent({}, shelf);
     keep_paint(tube("#c03020"), shelf);
     keep_mix({"my sky", {{{"PB29", 1.0}, {"PW6", 8.0}}, 0.5}}, shelf);
-    shelf.aids = {Harmony::Triad, {MaskShape::Complementary, 45.0}};
+    shelf.aids = {Harmony::Triad, with_corner({MaskShape::Complementary, 45.0}, 1, {-0.125, 0.25})};
     shelf.opened = {"Earths", {{"Umber \"raw\"", {120, 60, 20}}, {"", {200, 150, 60}}}};
     write_shelf(shelf, file());
     const PaintShelf back = read_shelf(file());
@@ -138,6 +138,9 @@ TEST_F(PaintShelfTest, FaultsAreToldWithTheirPlace) {
                 HasSubstr(name + ", mixes[0].paint: "));
     EXPECT_THAT(fault_of(with("\"aids\": {\"harmony\": \"loud\", \"mask\": \"none\", \"turn_deg\": 0}")),
                 HasSubstr(name + ", aids.harmony: \"loud\" is not one of none, complementary, "));
+    EXPECT_EQ(fault_of(with("\"aids\": {\"harmony\": \"none\", \"mask\": \"triad\", \"turn_deg\": 0, "
+                            "\"corners\": [[1, 0], [0, 1]]}")),
+              name + ", aids.corners: these are no corners of that mask.");
     EXPECT_EQ(fault_of("{\"version\": 2}"), name + ", version: 2 is not between 1 and 1.");
     EXPECT_EQ(fault_of("{\"version\": 1, \"recent\": [], \"kept\": [], \"opened\": {\"name\": \"x\", "
                        "\"colours\": [[\"red\", \"x\"]]}}"),

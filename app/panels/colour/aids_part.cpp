@@ -72,9 +72,11 @@ AidsPart::AidsPart(QWidget* parent)
 }
 
 void AidsPart::take() {
-    aids_ = {
-        static_cast<tools::Harmony>(harmony_->currentIndex()),
-        {static_cast<tools::MaskShape>(shape_->currentIndex()), static_cast<double>(turn_->value())}};
+    const auto shape = static_cast<tools::MaskShape>(shape_->currentIndex());
+    if (shape != aids_.mask.shape) aids_.mask.corners.clear();
+    aids_.harmony = static_cast<tools::Harmony>(harmony_->currentIndex());
+    aids_.mask.shape = shape;
+    aids_.mask.turn_deg = turn_->value();
     turn_->setEnabled(aids_.mask.shape != tools::MaskShape::None);
     Q_EMIT changed(aids_);
 }

@@ -45,6 +45,12 @@ ColourPicker::ColourPicker(QWidget* nearest, QWidget* parent)
         wheel_->show_aids(aids);
         Q_EMIT aids_changed();
     });
+    connect(wheel_, &ColourWheel::mask_moved, this, [this](const tools::GamutMask& mask) {
+        tools::ColourAids aids = aids_->aids();
+        aids.mask = mask;
+        aids_->show_aids(aids);
+        Q_EMIT aids_changed();
+    });
     connect(wheel_, &ColourWheel::moved, this, &ColourPicker::take_wheel);
     connect(wheel_, &ColourWheel::released, this, [this] { Q_EMIT chosen(colour_); });
     use_model(model_);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -22,6 +23,9 @@ namespace {
 
 /// In units of the window.
 constexpr double kRingWidth = 17.0, kMargin = 3.0, kGap = 5.0;
+
+/// A corner of a mask is taken so far from it, and seen as a dot.
+constexpr double kCorner_px = 5.0, kCornerDot_px = 3.0;
 
 /// What a key moves by.
 constexpr double kHueStep_deg = 5.0, kLightnessStep = 2.0, kChromaStep = 0.01;
@@ -119,7 +123,17 @@ const double* ColourWheel::mark_at(const QPointF& position) const {
     return nullptr;
 }
 
+std::optional<std::size_t> ColourWheel::corner_at(const QPointF& position) const {
+    const std::vector<glm::dvec2> outline = tools::mask_outline(aids_.mask);
+    for (std::size_t i = 0; i < tools::movable_corners(aids_.mask.shape); ++i) {
+        const QPointF way = position - disc_position(outline[i]);
+        if (std::hypot(way.x(), way.y()) <= kCorner_px) return i;
+    }
+    return std::nullopt;
+}
+
 ColourWheel::Drag ColourWheel::place_of(const QPointF& position) const {
+    if (corner_at(position)) return Drag::Corner;
     if (mark_at(position) != nullptr) return Drag::Mark;
     const Measures all = measures();
     const QPointF at = position * all.ratio;
@@ -142,6 +156,12 @@ void ColourWheel::move_to(tools::Channels oklch) {
     if (!same) Q_EMIT moved(oklch_);
 }
 
+/// The colour in hand stays, also where the mask no longer holds it.
+void ColourWheel::move_corner(const glm::dvec2& place) {
+    aids_.mask = tools::with_corner(aids_.mask, corner_, place);
+    update();
+}
+
 /// A harmony turns with the hue, but for a mark, which is one of its own hues.
 void ColourWheel::drag_to(const QPointF& position) {
     const Measures all = measures();
@@ -156,6 +176,8 @@ void ColourWheel::drag_to(const QPointF& position) {
         move_to({oklch_[0], pressed_chroma_, core::degrees(std::atan2(up, right))});
     else if (drag_ == Drag::Disc)
         move_to(tools::colour_on_disc(oklch_[0], glm::dvec2(right, up) / all.disc, oklch_[2]));
+    else if (drag_ == Drag::Corner)
+        return move_corner(glm::dvec2(right, up) / all.disc);
     else
         return;
     turn_harmony(oklch_[2]);
@@ -166,7 +188,9 @@ void ColourWheel::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     drag_ = place_of(event->position());
     pressed_chroma_ = oklch_[1];
-    if (const double* mark = mark_at(event->position()))
+    if (drag_ == Drag::Corner)
+        corner_ = *corner_at(event->position());
+    else if (const double* mark = mark_at(event->position()))
         move_to({oklch_[0], pressed_chroma_, *mark});
     else
         drag_to(event->position());
@@ -177,9 +201,9 @@ void ColourWheel::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ColourWheel::mouseReleaseEvent(QMouseEvent*) {
-    if (drag_ == Drag::None) return;
-    drag_ = Drag::None;
-    Q_EMIT released();
+    const Drag ended = std::exchange(drag_, Drag::None);
+    if (ended == Drag::Corner) Q_EMIT mask_moved(aids_.mask);
+    if (ended != Drag::None && ended != Drag::Corner) Q_EMIT released();
 }
 
 /// Turns the ring; over a panel that scrolls the wheel would else move both.
@@ -281,6 +305,10 @@ void ColourWheel::paint_disc(QPainter& painter) const {
     painter.strokePath(inside, QPen(QColor(20, 20, 22), 2.5));
     painter.strokePath(inside,
                        hasFocus() ? QPen(palette().highlight(), 1.2) : QPen(QColor(240, 240, 240), 1.2));
+    painter.setPen(QPen(QColor(20, 20, 22), 1.0));
+    painter.setBrush(QColor(240, 240, 240));
+    for (int i = 0; i < static_cast<int>(tools::movable_corners(aids_.mask.shape)); ++i)
+        painter.drawEllipse(outline[i], kCornerDot_px, kCornerDot_px);
     paint_mark(painter, disc_position(tools::disc_place(oklch_)), mark_colour(oklch_));
 }
 

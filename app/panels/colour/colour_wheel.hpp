@@ -3,6 +3,8 @@
 
 #include "tools/colour_aids.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <QImage>
@@ -11,7 +13,8 @@
 namespace pastoso::panels {
 
 /// Drag along the ring or in the field, up to where sRGB ends. With a gamut mask all colours of the
-/// present lightness are on a disc in the field's place, and what is chosen is held to the mask. Marks
+/// present lightness are on a disc in the field's place, and what is chosen is held to the mask, whose
+/// corners can be dragged. Marks
 /// on the ring, which a click takes, are the hues of a harmony. Keys: arrows for chroma and lightness,
 /// Page Up and Page Down for the hue, with Ctrl finely. Drawn pixel by pixel of the screen.
 class ColourWheel : public QWidget {
@@ -41,6 +44,7 @@ class ColourWheel : public QWidget {
   Q_SIGNALS:
     void moved(const tools::Channels& oklch);  ///< while it is being dragged, too
     void released();                           ///< the mouse let it go
+    void mask_moved(const tools::GamutMask& mask);  ///< a corner of it was dragged, and let go
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -51,7 +55,7 @@ class ColourWheel : public QWidget {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    enum class Drag { None, Ring, Field, Disc, Mark };
+    enum class Drag { None, Ring, Field, Disc, Mark, Corner };
 
     /// In pixels of the screen, from the widget's corner.
     struct Measures {
@@ -64,6 +68,8 @@ class ColourWheel : public QWidget {
     Measures measures() const;
     Drag place_of(const QPointF& position) const;
     const double* mark_at(const QPointF& position) const;
+    std::optional<std::size_t> corner_at(const QPointF& position) const;
+    void move_corner(const glm::dvec2& place);
     void drag_to(const QPointF& position);
     void move_to(tools::Channels oklch);
     void turn_harmony(double hue_deg);
@@ -76,6 +82,7 @@ class ColourWheel : public QWidget {
     tools::Channels oklch_{};
     Drag drag_ = Drag::None;
     double pressed_chroma_ = 0.0;  ///< comes back where the ring is dragged past a hue that has less
+    std::size_t corner_ = 0;       ///< that is dragged
     tools::ColourAids aids_;
     double harmony_deg_ = 0.0;       ///< the hue that the harmony is of; a click on a mark leaves it
     std::vector<double> marks_deg_;  ///< the hues that go with it
