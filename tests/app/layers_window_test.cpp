@@ -336,7 +336,10 @@ TEST_F(LayersWindow, KeysAloneDoEverything) {
     press_key(Qt::Key_Slash, Qt::ControlModifier);
     EXPECT_TRUE(stack().layers[1].look.locked);
     press_key(Qt::Key_Slash, Qt::ControlModifier);
+    const std::string before = active_name();
     QTest::keyClick(&tree(), Qt::Key_F2);
+    EXPECT_EQ(tree().viewport()->findChild<QLineEdit*>()->selectedText().toStdString(), before)
+        << "what is typed takes the old name's place";
     name_by_typing("Glaze");
     EXPECT_EQ(active_name(), "Glaze");
     EXPECT_EQ(QApplication::focusWidget(), &tree());

@@ -15,7 +15,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QWheelEvent>
 
 namespace pastoso::panels {
@@ -24,8 +23,8 @@ namespace {
 /// In units of the window.
 constexpr double kRingWidth = 17.0, kMargin = 3.0, kGap = 5.0;
 
-/// A corner of a mask is taken so far from it, and seen as a dot.
-constexpr double kCorner_px = 5.0, kCornerDot_px = 3.0;
+/// A corner of a mask is taken so far from it.
+constexpr double kCorner_px = 5.0;
 
 /// What a key moves by.
 constexpr double kHueStep_deg = 5.0, kLightnessStep = 2.0, kChromaStep = 0.01;
@@ -294,21 +293,11 @@ void ColourWheel::paint_disc(QPainter& painter) const {
     QPolygonF outline;
     for (const glm::dvec2& corner : tools::mask_outline(aids_.mask))
         outline << disc_position(corner);
-    QPainterPath inside, beyond;
-    inside.addPolygon(outline);
-    inside.closeSubpath();
     const double radius = all.disc / all.ratio + 0.5;
-    beyond.addEllipse(disc_position({0.0, 0.0}), radius, radius);
-    QColor veil = palette().color(QPalette::Window);
-    veil.setAlphaF(0.8F);
-    painter.fillPath(beyond.subtracted(inside), veil);
-    painter.strokePath(inside, QPen(QColor(20, 20, 22), 2.5));
-    painter.strokePath(inside,
-                       hasFocus() ? QPen(palette().highlight(), 1.2) : QPen(QColor(240, 240, 240), 1.2));
-    painter.setPen(QPen(QColor(20, 20, 22), 1.0));
-    painter.setBrush(QColor(240, 240, 240));
-    for (int i = 0; i < static_cast<int>(tools::movable_corners(aids_.mask.shape)); ++i)
-        painter.drawEllipse(outline[i], kCornerDot_px, kCornerDot_px);
+    paint_veil(painter, disc_position({0.0, 0.0}), radius, outline, palette().color(QPalette::Window));
+    const QColor bright(240, 240, 240);
+    paint_mask_line(painter, outline, static_cast<int>(tools::movable_corners(aids_.mask.shape)),
+                    hasFocus() ? palette().color(QPalette::Highlight) : bright);
     paint_mark(painter, disc_position(tools::disc_place(oklch_)), mark_colour(oklch_));
 }
 

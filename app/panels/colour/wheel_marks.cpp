@@ -3,6 +3,7 @@
 #include "appearance/screen_colours.hpp"
 
 #include <QPainter>
+#include <QPainterPath>
 #include <QPolygonF>
 
 namespace pastoso::panels {
@@ -37,6 +38,30 @@ void paint_hue_mark(QPainter& painter, const QPointF& place, const QColor& colou
 QColor mark_colour(const tools::Channels& oklch) {
     const pigment::Srgb8 rgb = tools::colour_from(tools::ColourModel::Oklch, oklch);
     return {rgb[0], rgb[1], rgb[2]};
+}
+
+void paint_veil(QPainter& painter, const QPointF& middle, double radius, const QPolygonF& outline,
+                QColor colour) {
+    QPainterPath inside, beyond;
+    inside.addPolygon(outline);
+    inside.closeSubpath();
+    beyond.addEllipse(middle, radius, radius);
+    colour.setAlphaF(0.8F);
+    painter.fillPath(beyond.subtracted(inside), colour);
+}
+
+void paint_mask_line(QPainter& painter, const QPolygonF& outline, int corners, const QColor& colour) {
+    constexpr double kDot_px = 3.0;
+    const QColor dark(20, 20, 22);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(dark, 2.5), QPen(colour, 1.2)}) {
+        painter.setPen(pen);
+        painter.drawPolygon(outline);
+    }
+    painter.setPen(QPen(dark, 1.0));
+    painter.setBrush(colour);
+    for (int i = 0; i < corners; ++i)
+        painter.drawEllipse(outline[i], kDot_px, kDot_px);
 }
 
 }  // namespace pastoso::panels

@@ -7,6 +7,7 @@
 
 class QPainter;
 class QPointF;
+class QPolygonF;
 
 namespace pastoso::panels {
 
@@ -20,5 +21,12 @@ void paint_mark(QPainter& painter, const QPointF& place, const QColor& colour);
 
 /// A diamond: a hue that goes with it.
 void paint_hue_mark(QPainter& painter, const QPointF& place, const QColor& colour);
+
+/// Makes what is beyond the outline of a mask faint, on a disc of that radius.
+void paint_veil(QPainter& painter, const QPointF& middle, double radius, const QPolygonF& outline,
+                QColor colour);
+
+/// The outline of a mask, with a dot at each of its first `corners`.
+void paint_mask_line(QPainter& painter, const QPolygonF& outline, int corners, const QColor& colour);
 
 }  // namespace pastoso::panels
