@@ -47,13 +47,13 @@ Json merged_lists(const Json& before, const Json& mine, const Json& theirs) {
     const auto add = [&](const Json& list, bool only_new) {
         for (const Json& one : list) {
             const std::string name = name_of(one);
-            if (only_new && !element(theirs, name).is_null()) continue;
+            if (only_new && !element(mine, name).is_null()) continue;
             Json value = merged(element(before, name), element(mine, name), element(theirs, name));
             if (!value.is_null()) both.push_back(std::move(value));
         }
     };
-    add(theirs, false);
-    add(mine, true);
+    add(mine, false);
+    add(theirs, true);
     return both;
 }
 

@@ -34,8 +34,8 @@ TEST(MemoryMerge, WordsAreAddedAndTakenAwayByBoth) {
     const Json before = json(R"(["a", "b", "c"])");
     const Json mine = json(R"(["a", "c", "mine"])");
     const Json theirs = json(R"(["theirs", "b", "a"])");
-    EXPECT_EQ(merged(before, mine, theirs), json(R"(["theirs", "a", "mine"])"));
-    EXPECT_EQ(merged(before, theirs, mine), json(R"(["a", "mine", "theirs"])"));
+    EXPECT_EQ(merged(before, mine, theirs), json(R"(["a", "mine", "theirs"])"));
+    EXPECT_EQ(merged(before, theirs, mine), json(R"(["theirs", "a", "mine"])"));
 }
 
 TEST(MemoryMerge, NamedOnesAreTheSameByTheirNames) {
@@ -43,7 +43,7 @@ TEST(MemoryMerge, NamedOnesAreTheSameByTheirNames) {
     const Json mine = json(R"([{"name": "sea", "tubes": ["x", "m"]}, {"name": "sky", "tubes": ["y"]}])");
     const Json theirs = json(R"([{"name": "sea", "tubes": ["t", "x"]}, {"name": "hay", "tubes": []}])");
     EXPECT_EQ(merged(before, mine, theirs),
-              json(R"([{"name": "sea", "tubes": ["t", "x", "m"]}, {"name": "hay", "tubes": []}])"));
+              json(R"([{"name": "sea", "tubes": ["x", "m", "t"]}, {"name": "hay", "tubes": []}])"));
 }
 
 TEST(MemoryMerge, WhatOneRemovedAndTheOtherChangedStays) {

@@ -145,13 +145,17 @@ void PaintPanel::make_grid() {
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
 }
 
-/// Beside the button there is room for a name in two lines.
-QWidget* PaintPanel::make_head() {
+/// Two lines, for which there is room beside the button.
+void PaintPanel::give_name_room() {
     constexpr int kLines = 2;
+    name_->setFixedHeight(kLines * fontMetrics().lineSpacing());
+}
+
+QWidget* PaintPanel::make_head() {
     name_->setObjectName(QStringLiteral("tube_name"));
     name_->setWordWrap(true);
     name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    name_->setFixedHeight(kLines * fontMetrics().lineSpacing());
+    give_name_room();
     auto* head = new QWidget;
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins(0, 0, 0, 0);
@@ -216,6 +220,7 @@ void PaintPanel::offer_sets(const QPoint& place) {
 /// The marks take the ink of another theme.
 void PaintPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) give_name_room();
     if (event->type() == QEvent::StyleChange && !shown_.empty() && shown_.front().ink.isValid())
         show_swatches(view_);
 }

@@ -73,6 +73,7 @@ class PaintPanel : public QWidget {
     static QIcon icon_of(const Colours& colours, double pixel_ratio);
     void make_grid();
     QWidget* make_head();
+    void give_name_room();
     void offer_sets(const QPoint& place);
 
     std::vector<PaintEntry> paints_;
