@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <QDBusMessage>
 #include <QDBusPendingCallWatcher>
+#include <QDBusVariant>
 #include <QFileInfo>
-#include <QVariant>
 
 namespace pastoso::main {
 namespace {
@@ -32,7 +31,7 @@ QVariant bared(QVariant value) {
 
 DesktopLook::DesktopLook(const QDBusConnection& bus, QObject* parent) : QObject(parent), bus_(bus) {
     bus_.connect(QString(), kPath, kSettings, QStringLiteral("SettingChanged"), this,
-                 SLOT(take(QString, QString, QDBusVariant)));
+                 SLOT(hear(QDBusMessage)));
 }
 
 void DesktopLook::ask() {
@@ -48,12 +47,17 @@ void DesktopLook::ask(const QString& of, const QString& key) {
     auto* watcher = new QDBusPendingCallWatcher(bus_.asyncCall(read), this);
     connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher, of, key] {
         watcher->deleteLater();
-        if (!watcher->isError()) take(of, key, QDBusVariant(watcher->reply().arguments().value(0)));
+        if (!watcher->isError()) take(of, key, watcher->reply().arguments().value(0));
     });
 }
 
-void DesktopLook::take(const QString& of, const QString& key, const QDBusVariant& value) {
-    const QVariant bare = bared(value.variant());
+void DesktopLook::hear(const QDBusMessage& change) {
+    const QList<QVariant> told = change.arguments();
+    take(told.value(0).toString(), told.value(1).toString(), told.value(2));
+}
+
+void DesktopLook::take(const QString& of, const QString& key, const QVariant& value) {
+    const QVariant bare = bared(value);
     if (of == kAppearance && key == kContrast) Q_EMIT contrast_told(bare.toUInt() == kHighContrast);
     if (of != kInterface || key != kTextScale) return;
     bool is_number = false;

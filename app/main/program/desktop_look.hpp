@@ -3,9 +3,10 @@
 #pragma once
 
 #include <QDBusConnection>
-#include <QDBusVariant>
+#include <QDBusMessage>
 #include <QObject>
 #include <QString>
+#include <QVariant>
 
 namespace pastoso::main {
 
@@ -26,9 +27,10 @@ class DesktopLook : public QObject {
     void text_scale_told(double scale);
 
   private Q_SLOTS:
-    void take(const QString& of, const QString& key, const QDBusVariant& value);
+    void hear(const QDBusMessage& change);
 
   private:
+    void take(const QString& of, const QString& key, const QVariant& value);
     void ask(const QString& of, const QString& key);
 
     QDBusConnection bus_;
