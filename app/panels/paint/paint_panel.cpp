@@ -145,10 +145,14 @@ void PaintPanel::make_grid() {
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
 }
 
-/// Two lines, for which there is room beside the button.
+/// Two lines, for which there is room beside the button, of whatever fonts the names are written in.
 void PaintPanel::give_name_room() {
     constexpr int kLines = 2;
-    name_->setFixedHeight(kLines * fontMetrics().lineSpacing());
+    constexpr QRect kRoom(0, 0, 1000, 1000);
+    int line = fontMetrics().lineSpacing();
+    for (const PaintEntry& paint : paints_)
+        line = std::max(line, fontMetrics().boundingRect(kRoom, 0, paint.name).height());
+    name_->setFixedHeight(kLines * line);
 }
 
 QWidget* PaintPanel::make_head() {

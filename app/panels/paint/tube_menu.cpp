@@ -19,7 +19,7 @@ TubeMenu::TubeMenu(QWidget* parent) : QToolButton(parent) {
 }
 
 void TubeMenu::show_sets(const QStringList& names, const QString& chosen) {
-    constexpr int kMostWidth = 100;
+    constexpr int kMostWidth = 80;
     names_ = names;
     chosen_ = chosen;
     const QString words = chosen.isEmpty() ? tr("All tubes") : chosen;
