@@ -7,11 +7,12 @@
 
 namespace pastoso::brush {
 
-/// The way of the hand after which a stroke keeps to one direction of a perspective or a grid.
-inline constexpr double kFirstWay_mm = 2.0;
+/// The way of the hand after which a stroke keeps to one direction of a perspective or a grid: long
+/// beside its trembling.
+inline constexpr double kFirstWay_mm = 4.0;
 
 /// Holds the samples of a stroke back until it is known where they are led: those of a straight line to
-/// its end, those under a perspective or a grid for the first 2 mm from where the pen came down. Others
+/// its end, those under a perspective or a grid for the first 4 mm from where the pen came down. Others
 /// pass at once.
 class GuideChoice {
   public:

@@ -35,7 +35,7 @@ std::vector<PenSample> hand_from(double x_mm, double y_mm, double direction_deg)
     const double angle = core::radians(direction_deg);
     std::vector<PenSample> hand;
     for (int i = 0; i <= 40; ++i) {
-        const double beside_mm = i > 3 ? 3.0 * std::sin(0.9 * i) : 0.0;
+        const double beside_mm = i > 5 ? 3.0 * std::sin(0.9 * i) : 0.0;
         hand.push_back(at(x_mm + i * std::cos(angle) - beside_mm * std::sin(angle),
                           y_mm + i * std::sin(angle) + beside_mm * std::cos(angle)));
     }
@@ -86,14 +86,23 @@ TEST(GuideChoice, OthersPassAtOnce) {
 TEST(GuideChoice, HoldsTheFirstWayBackAndKeepsItsChoice) {
     GuideChoice choice(perspective(1));
     EXPECT_TRUE(choice.add(at(50.0, 40.0)).empty());
-    EXPECT_TRUE(choice.add(at(51.0, 41.6)).empty());
-    EXPECT_EQ(choice.add(at(50.0, 42.0)), (std::vector{at(50.0, 40.0), at(51.0, 41.6), at(50.0, 42.0)}));
+    EXPECT_TRUE(choice.add(at(51.0, 43.8)).empty());
+    EXPECT_EQ(choice.add(at(50.0, 44.0)), (std::vector{at(50.0, 40.0), at(51.0, 43.8), at(50.0, 44.0)}));
     const PenGuide chosen = choice.guide();
     EXPECT_EQ(choice.add(at(90.0, 42.0)), std::vector{at(90.0, 42.0)});
     EXPECT_EQ(choice.guide(), chosen);
     const PenSample led = guided(chosen, at(50.0, 40.0), at(50.0, 40.0), at(90.0, 42.0));
     EXPECT_NEAR(led.x_mm, 50.0, 1e-9) << "upright, though the hand went on to the right";
     EXPECT_NEAR(led.y_mm, 42.0, 1e-9);
+}
+
+/// The line to the other point, backwards, is 16 degrees off.
+TEST(GuideChoice, ATremblingStartIsNoDirection) {
+    const PenGuide guide{.form = VanishingPoints{
+                             .count = 2, .x1_mm = -60.0, .y1_mm = 60.0, .x2_mm = 220.0, .y2_mm = 60.0}};
+    const auto stroke =
+        followed(guide, {at(80.0, 40.0), at(79.0, 40.0), at(78.0, 39.9), at(76.0, 40.5)});
+    EXPECT_NEAR(off_mm(stroke.back(), 80.0, 40.0, -60.0, 60.0), 0.0, 1e-9);
 }
 
 TEST(GuideChoice, AStraightLineIsHeldBackToItsEnd) {
