@@ -1698,10 +1698,6 @@
         <translation>holds a particle whose numbers are not finite.</translation>
     </message>
     <message>
-        <source>holds a selection of another canvas than this one.</source>
-        <translation>holds a selection of another canvas than this one.</translation>
-    </message>
-    <message>
         <source>holds a value of a cell that is not finite.</source>
         <translation>holds a value of a cell that is not finite.</translation>
     </message>
@@ -2068,10 +2064,6 @@
     <message>
         <source>seed of the brush</source>
         <translation>seed of the brush</translation>
-    </message>
-    <message>
-        <source>selects nothing.</source>
-        <translation>selects nothing.</translation>
     </message>
     <message>
         <source>shadow softness in mm</source>
@@ -2829,6 +2821,198 @@
         <source>wheel of the pen</source>
         <translation>wheel of the pen</translation>
     </message>
+    <message>
+        <source>a tag needs a name.</source>
+        <translation>a tag needs a name.</translation>
+    </message>
+    <message>
+        <source>corner that is distorted</source>
+        <translation>corner that is distorted</translation>
+    </message>
+    <message>
+        <source>diameter of the grains</source>
+        <translation>diameter of the grains</translation>
+    </message>
+    <message>
+        <source>direction of the grid&apos;s first lines</source>
+        <translation>direction of the grid&apos;s first lines</translation>
+    </message>
+    <message>
+        <source>direction of the grid&apos;s other lines</source>
+        <translation>direction of the grid&apos;s other lines</translation>
+    </message>
+    <message>
+        <source>direction of the horizon</source>
+        <translation>direction of the horizon</translation>
+    </message>
+    <message>
+        <source>direction of the knife</source>
+        <translation>direction of the knife</translation>
+    </message>
+    <message>
+        <source>direction of uprights</source>
+        <translation>direction of uprights</translation>
+    </message>
+    <message>
+        <source>expected at most %1 references.</source>
+        <translation>expected at most %1 references.</translation>
+    </message>
+    <message>
+        <source>first vanishing point</source>
+        <translation>first vanishing point</translation>
+    </message>
+    <message>
+        <source>grid&apos;s point</source>
+        <translation>grid&apos;s point</translation>
+    </message>
+    <message>
+        <source>height of the texture</source>
+        <translation>height of the texture</translation>
+    </message>
+    <message>
+        <source>holds cells of another canvas than this one.</source>
+        <translation>holds cells of another canvas than this one.</translation>
+    </message>
+    <message>
+        <source>holds no cell.</source>
+        <translation>holds no cell.</translation>
+    </message>
+    <message>
+        <source>length of a side of the distortion, times what it was,</source>
+        <translation>length of a side of the distortion, times what it was,</translation>
+    </message>
+    <message>
+        <source>lower left corner of the distortion</source>
+        <translation>lower left corner of the distortion</translation>
+    </message>
+    <message>
+        <source>lower right corner of the distortion</source>
+        <translation>lower right corner of the distortion</translation>
+    </message>
+    <message>
+        <source>makes the references larger than any board holds.</source>
+        <translation>makes the references larger than any board holds.</translation>
+    </message>
+    <message>
+        <source>masking&apos;s point</source>
+        <translation>masking&apos;s point</translation>
+    </message>
+    <message>
+        <source>name of a reference</source>
+        <translation>name of a reference</translation>
+    </message>
+    <message>
+        <source>number of the masking&apos;s points</source>
+        <translation>number of the masking&apos;s points</translation>
+    </message>
+    <message>
+        <source>number of the reference</source>
+        <translation>number of the reference</translation>
+    </message>
+    <message>
+        <source>number of vanishing points</source>
+        <translation>number of vanishing points</translation>
+    </message>
+    <message>
+        <source>opacity of the reference</source>
+        <translation>opacity of the reference</translation>
+    </message>
+    <message>
+        <source>position of the reference</source>
+        <translation>position of the reference</translation>
+    </message>
+    <message>
+        <source>second vanishing point</source>
+        <translation>second vanishing point</translation>
+    </message>
+    <message>
+        <source>seed of the texture</source>
+        <translation>seed of the texture</translation>
+    </message>
+    <message>
+        <source>size of what is distorted</source>
+        <translation>size of what is distorted</translation>
+    </message>
+    <message>
+        <source>spacing of the grid&apos;s first lines</source>
+        <translation>spacing of the grid&apos;s first lines</translation>
+    </message>
+    <message>
+        <source>spacing of the grid&apos;s other lines</source>
+        <translation>spacing of the grid&apos;s other lines</translation>
+    </message>
+    <message>
+        <source>spacing of the ridges</source>
+        <translation>spacing of the ridges</translation>
+    </message>
+    <message>
+        <source>strength of the guide</source>
+        <translation>strength of the guide</translation>
+    </message>
+    <message>
+        <source>the board holds %1 references, and no more are kept.</source>
+        <translation>the board holds %1 references, and no more are kept.</translation>
+    </message>
+    <message>
+        <source>the corners of the distortion have to go round an area that bends outwards at each of them, by %1 degree or more.</source>
+        <translation>the corners of the distortion have to go round an area that bends outwards at each of them, by %1 degree or more.</translation>
+    </message>
+    <message>
+        <source>the name of a reference has %1 bytes, but at most %2 are kept.</source>
+        <translation>the name of a reference has %1 bytes, but at most %2 are kept.</translation>
+    </message>
+    <message>
+        <source>the number %1 has not been given yet.</source>
+        <translation>the number %1 has not been given yet.</translation>
+    </message>
+    <message>
+        <source>the references on the board are too large; at most %1 million pixels in all are kept.</source>
+        <translation>the references on the board are too large; at most %1 million pixels in all are kept.</translation>
+    </message>
+    <message>
+        <source>there are two references %1.</source>
+        <translation>there are two references %1.</translation>
+    </message>
+    <message>
+        <source>these are no corners of that mask.</source>
+        <translation>these are no corners of that mask.</translation>
+    </message>
+    <message>
+        <source>third vanishing point</source>
+        <translation>third vanishing point</translation>
+    </message>
+    <message>
+        <source>turn of the canvas</source>
+        <translation>turn of the canvas</translation>
+    </message>
+    <message>
+        <source>turn of the reference</source>
+        <translation>turn of the reference</translation>
+    </message>
+    <message>
+        <source>upper left corner of the distortion</source>
+        <translation>upper left corner of the distortion</translation>
+    </message>
+    <message>
+        <source>upper right corner of the distortion</source>
+        <translation>upper right corner of the distortion</translation>
+    </message>
+    <message>
+        <source>width of the masking</source>
+        <translation>width of the masking</translation>
+    </message>
+    <message>
+        <source>width of the reference</source>
+        <translation>width of the reference</translation>
+    </message>
+    <message>
+        <source>x of the reference</source>
+        <translation>x of the reference</translation>
+    </message>
+    <message>
+        <source>y of the reference</source>
+        <translation>y of the reference</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3359,6 +3543,14 @@
     <message>
         <source>%1 widths</source>
         <translation>%1 widths</translation>
+    </message>
+    <message>
+        <source>What is bare is locked: tools change only what has paint. Click to unlock</source>
+        <translation>What is bare is locked: tools change only what has paint. Click to unlock</translation>
+    </message>
+    <message>
+        <source>Click to lock what is bare: tools change only what has paint</source>
+        <translation>Click to lock what is bare: tools change only what has paint</translation>
     </message>
 </context>
 <context>
@@ -4040,6 +4232,54 @@
         <source>0: levels the hollows that it reaches, 1: coats the grain alone.</source>
         <translation>0: levels the hollows that it reaches, 1: coats the grain alone.</translation>
     </message>
+    <message>
+        <source>How many squares of the paint&apos;s grid lie side by side in a millimetre, and pixels in the saved picture: more show finer hairs, and need more memory and time</source>
+        <translation>How many squares of the paint&apos;s grid lie side by side in a millimetre, and pixels in the saved picture: more show finer hairs, and need more memory and time</translation>
+    </message>
+    <message>
+        <source>What paint lies on, bare: linen, jute, cotton duck, a panel or a height image</source>
+        <translation>What paint lies on, bare: linen, jute, cotton duck, a panel or a height image</translation>
+    </message>
+    <message>
+        <source>How steeply the canvas stands, and where down is: wet paint runs there</source>
+        <translation>How steeply the canvas stands, and where down is: wet paint runs there</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands that lights the painting: a low one shows the relief, the heights of paint and canvas</source>
+        <translation>Where the lamp stands that lights the painting: a low one shows the relief, the heights of paint and canvas</translation>
+    </message>
+    <message>
+        <source>How many times as fast as by the clock wet paint becomes dry paint</source>
+        <translation>How many times as fast as by the clock wet paint becomes dry paint</translation>
+    </message>
+    <message>
+        <source>What the brush holds from side to side of its tip, and how full it is of what it can hold</source>
+        <translation>What the brush holds from side to side of its tip, and how full it is of what it can hold</translation>
+    </message>
+    <message>
+        <source>What pigment is mixed with: it decides how stiff the paint is, how far it levels and how soon it dries</source>
+        <translation>What pigment is mixed with: it decides how stiff the paint is, how far it levels and how soon it dries</translation>
+    </message>
+    <message>
+        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
+        <translation>How a trembling hand is steadied, besides the brush&apos;s own smoothing</translation>
+    </message>
+    <message>
+        <source>Hues that go together by their places on the wheel</source>
+        <translation>Hues that go together by their places on the wheel</translation>
+    </message>
+    <message>
+        <source>A shape on the disc of hues that choosing on the wheel keeps to</source>
+        <translation>A shape on the disc of hues that choosing on the wheel keeps to</translation>
+    </message>
+    <message>
+        <source>The light that the painting is seen in: the same paint has other colours in another one</source>
+        <translation>The light that the painting is seen in: the same paint has other colours in another one</translation>
+    </message>
+    <message>
+        <source>A clear coat over the whole painting that is looked through, and changes no paint</source>
+        <translation>A clear coat over the whole painting that is looked through, and changes no paint</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::commands</name>
@@ -4616,10 +4856,6 @@
         <translation>&amp;No guides</translation>
     </message>
     <message>
-        <source>Take mirrors, copies, ruler and ellipse away</source>
-        <translation>Take mirrors, copies, ruler and ellipse away</translation>
-    </message>
-    <message>
         <source>&amp;Trace a picture...</source>
         <translation>&amp;Trace a picture...</translation>
     </message>
@@ -4790,10 +5026,6 @@
     <message>
         <source>&amp;Guides panel</source>
         <translation>&amp;Guides panel</translation>
-    </message>
-    <message>
-        <source>Mirrors, ruler and ellipse in millimetres</source>
-        <translation>Mirrors, ruler and ellipse in millimetres</translation>
     </message>
     <message>
         <source>&amp;Layers panel</source>
@@ -5767,6 +5999,158 @@
         <source>Three steps: paint, move the canvas, take other paint</source>
         <translation>Three steps: paint, move the canvas, take other paint</translation>
     </message>
+    <message>
+        <source>Rotate &amp;image...</source>
+        <translation>Rotate &amp;image...</translation>
+    </message>
+    <message>
+        <source>Turn the whole painting by any angle, to put a horizon straight</source>
+        <translation>Turn the whole painting by any angle, to put a horizon straight</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture paste...</source>
+        <translation>Te&amp;xture paste...</translation>
+    </message>
+    <message>
+        <source>Lay a dry relief of the paint in hand: sand, modelling paste, or a picture pressed in</source>
+        <translation>Lay a dry relief of the paint in hand: sand, modelling paste, or a picture pressed in</translation>
+    </message>
+    <message>
+        <source>Lock &amp;what is bare</source>
+        <translation>Lock &amp;what is bare</translation>
+    </message>
+    <message>
+        <source>Tools change the layer only where it has paint already</source>
+        <translation>Tools change the layer only where it has paint already</translation>
+    </message>
+    <message>
+        <source>&amp;Masking fluid</source>
+        <translation>&amp;Masking fluid</translation>
+    </message>
+    <message>
+        <source>Paint a skin that no paint gets below, as wide as the tool in hand; Alt peels it off</source>
+        <translation>Paint a skin that no paint gets below, as wide as the tool in hand; Alt peels it off</translation>
+    </message>
+    <message>
+        <source>Masking &amp;tape</source>
+        <translation>Masking &amp;tape</translation>
+    </message>
+    <message>
+        <source>Drag a strip with clean edges that no paint gets below; Alt peels it off</source>
+        <translation>Drag a strip with clean edges that no paint gets below; Alt peels it off</translation>
+    </message>
+    <message>
+        <source>M&amp;ask the selection</source>
+        <translation>M&amp;ask the selection</translation>
+    </message>
+    <message>
+        <source>Keep all paint off what is selected, until the masking is peeled off</source>
+        <translation>Keep all paint off what is selected, until the masking is peeled off</translation>
+    </message>
+    <message>
+        <source>Select what is maske&amp;d</source>
+        <translation>Select what is maske&amp;d</translation>
+    </message>
+    <message>
+        <source>Select all that masking fluid and tape cover</source>
+        <translation>Select all that masking fluid and tape cover</translation>
+    </message>
+    <message>
+        <source>Peel off all mas&amp;king</source>
+        <translation>Peel off all mas&amp;king</translation>
+    </message>
+    <message>
+        <source>Take all masking fluid and tape away; the paint below is as it was</source>
+        <translation>Take all masking fluid and tape away; the paint below is as it was</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel ruler</source>
+        <translation>&amp;Parallel ruler</translation>
+    </message>
+    <message>
+        <source>Strokes run parallel to the ruler from wherever they start</source>
+        <translation>Strokes run parallel to the ruler from wherever they start</translation>
+    </message>
+    <message>
+        <source>&amp;Concentric ellipse</source>
+        <translation>&amp;Concentric ellipse</translation>
+    </message>
+    <message>
+        <source>Strokes run round the same middle from wherever they start</source>
+        <translation>Strokes run round the same middle from wherever they start</translation>
+    </message>
+    <message>
+        <source>&amp;1 point perspective</source>
+        <translation>&amp;1 point perspective</translation>
+    </message>
+    <message>
+        <source>Strokes run to the vanishing point, level or upright</source>
+        <translation>Strokes run to the vanishing point, level or upright</translation>
+    </message>
+    <message>
+        <source>&amp;2 point perspective</source>
+        <translation>&amp;2 point perspective</translation>
+    </message>
+    <message>
+        <source>Strokes run to one of two vanishing points, or upright</source>
+        <translation>Strokes run to one of two vanishing points, or upright</translation>
+    </message>
+    <message>
+        <source>&amp;3 point perspective</source>
+        <translation>&amp;3 point perspective</translation>
+    </message>
+    <message>
+        <source>Strokes run to one of three vanishing points</source>
+        <translation>Strokes run to one of three vanishing points</translation>
+    </message>
+    <message>
+        <source>Gri&amp;d</source>
+        <translation>Gri&amp;d</translation>
+    </message>
+    <message>
+        <source>Strokes run along the lines of a grid, or beside them</source>
+        <translation>Strokes run along the lines of a grid, or beside them</translation>
+    </message>
+    <message>
+        <source>Snap to the &amp;guide</source>
+        <translation>Snap to the &amp;guide</translation>
+    </message>
+    <message>
+        <source>Without it your hand is free, and the guide only shows where to go</source>
+        <translation>Without it your hand is free, and the guide only shows where to go</translation>
+    </message>
+    <message>
+        <source>Take mirrors, copies and the guide away</source>
+        <translation>Take mirrors, copies and the guide away</translation>
+    </message>
+    <message>
+        <source>&amp;Add reference pictures...</source>
+        <translation>&amp;Add reference pictures...</translation>
+    </message>
+    <message>
+        <source>Lay pictures on the board of references, to look at and to pick colours from</source>
+        <translation>Lay pictures on the board of references, to look at and to pick colours from</translation>
+    </message>
+    <message>
+        <source>References in a &amp;window of their own</source>
+        <translation>References in a &amp;window of their own</translation>
+    </message>
+    <message>
+        <source>The board of references above the canvas, or among the panels</source>
+        <translation>The board of references above the canvas, or among the panels</translation>
+    </message>
+    <message>
+        <source>Mirrors, rulers, perspectives and grids in numbers</source>
+        <translation>Mirrors, rulers, perspectives and grids in numbers</translation>
+    </message>
+    <message>
+        <source>Re&amp;ferences panel</source>
+        <translation>Re&amp;ferences panel</translation>
+    </message>
+    <message>
+        <source>Pictures to look at while you paint, and to pick colours from</source>
+        <translation>Pictures to look at while you paint, and to pick colours from</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6356,8 +6740,8 @@
         <translation>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
-        <translation>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</translation>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
+        <translation>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</translation>
     </message>
 </context>
 <context>
@@ -6425,8 +6809,67 @@
         <translation>&amp;Pixels per millimetre</translation>
     </message>
     <message>
-        <source>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</translation>
+        <source>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::RotateDialog</name>
+    <message>
+        <source>&amp;Keep the size of the canvas</source>
+        <translation>&amp;Keep the size of the canvas</translation>
+    </message>
+    <message>
+        <source>Rotate the image</source>
+        <translation>Rotate the image</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Clockwise, about the middle of the canvas</source>
+        <translation>Clockwise, about the middle of the canvas</translation>
+    </message>
+    <message>
+        <source>What comes beyond the canvas is wiped off</source>
+        <translation>What comes beyond the canvas is wiped off</translation>
+    </message>
+    <message>
+        <source>Put the &amp;ruler straight</source>
+        <translation>Put the &amp;ruler straight</translation>
+    </message>
+    <message>
+        <source>Turns until the ruler is level or upright, whichever is nearer</source>
+        <translation>Turns until the ruler is level or upright, whichever is nearer</translation>
+    </message>
+    <message>
+        <source>Lay a ruler along the horizon first</source>
+        <translation>Lay a ruler along the horizon first</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Turn</translation>
+    </message>
+    <message>
+        <source>The image stands like this.</source>
+        <translation>The image stands like this.</translation>
+    </message>
+    <message>
+        <source>A canvas of %1 × %2 mm.</source>
+        <translation>A canvas of %1 × %2 mm.</translation>
+    </message>
+    <message>
+        <source>What comes beyond it is wiped off.</source>
+        <translation>What comes beyond it is wiped off.</translation>
+    </message>
+    <message>
+        <source>What is new in its corners is bare.</source>
+        <translation>What is new in its corners is bare.</translation>
+    </message>
+    <message>
+        <source>Paint keeps its thickness, and the cloth stays upright.</source>
+        <translation>Paint keeps its thickness, and the cloth stays upright.</translation>
     </message>
 </context>
 <context>
@@ -6476,8 +6919,8 @@
         <translation>The image has this size and this resolution.</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
-        <translation>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</translation>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
+        <translation>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</translation>
     </message>
 </context>
 <context>
@@ -6574,10 +7017,6 @@
         <translation>Another language speaks from the next start on.</translation>
     </message>
     <message>
-        <source> MiB</source>
-        <translation> MiB</translation>
-    </message>
-    <message>
         <source>Memory for undo</source>
         <translation>Memory for undo</translation>
     </message>
@@ -6600,10 +7039,6 @@
     <message>
         <source>All of the machine (%1)</source>
         <translation>All of the machine (%1)</translation>
-    </message>
-    <message>
-        <source>Threads</source>
-        <translation>Threads</translation>
     </message>
     <message>
         <source>How many things the program works on at once, from the next painting on. The paint flows the same with any number.</source>
@@ -6696,6 +7131,97 @@
         <source>Undo and saving</source>
         <translation>Undo and saving</translation>
     </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Processors in use</source>
+        <translation>Processors in use</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::TextureDialog</name>
+    <message>
+        <source>A&amp;nother</source>
+        <translation>A&amp;nother</translation>
+    </message>
+    <message>
+        <source>Texture paste</source>
+        <translation>Texture paste</translation>
+    </message>
+    <message>
+        <source>A dry coat of the paint in hand lies on the layer that you paint on, where it is selected or all over. Brushes then catch on it.</source>
+        <translation>A dry coat of the paint in hand lies on the layer that you paint on, where it is selected or all over. Brushes then catch on it.</translation>
+    </message>
+    <message>
+        <source>Sand</source>
+        <translation>Sand</translation>
+    </message>
+    <message>
+        <source>Modelling paste</source>
+        <translation>Modelling paste</translation>
+    </message>
+    <message>
+        <source>A picture pressed in</source>
+        <translation>A picture pressed in</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Texture</translation>
+    </message>
+    <message>
+        <source>Grains</source>
+        <translation>Grains</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Height</translation>
+    </message>
+    <message>
+        <source>Between ridges</source>
+        <translation>Between ridges</translation>
+    </message>
+    <message>
+        <source>Other grains or other passes of the knife</source>
+        <translation>Other grains or other passes of the knife</translation>
+    </message>
+    <message>
+        <source>Lay the paste</source>
+        <translation>Lay the paste</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Which way the knife went: 0 to the right, 90 down</source>
+        <translation>Which way the knife went: 0 to the right, 90 down</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Picture</translation>
+    </message>
+    <message>
+        <source>What is &amp;dark stands up</source>
+        <translation>What is &amp;dark stands up</translation>
+    </message>
+    <message>
+        <source>Picture to press in</source>
+        <translation>Picture to press in</translation>
+    </message>
+    <message>
+        <source>Choose a picture...</source>
+        <translation>Choose a picture...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
@@ -6774,6 +7300,14 @@
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
         <translation>What comes beyond the canvas is wiped off.</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl: a corner alone, or a side askew.</source>
+        <translation>Drag with Ctrl: a corner alone, or a side askew.</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Corners</translation>
     </message>
 </context>
 <context>
@@ -6881,6 +7415,42 @@
     <message>
         <source>Ground toned</source>
         <translation>Ground toned</translation>
+    </message>
+    <message>
+        <source>Painting rotated</source>
+        <translation>Painting rotated</translation>
+    </message>
+    <message>
+        <source>Masking fluid</source>
+        <translation>Masking fluid</translation>
+    </message>
+    <message>
+        <source>Selection masked</source>
+        <translation>Selection masked</translation>
+    </message>
+    <message>
+        <source>Masking peeled off</source>
+        <translation>Masking peeled off</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>Reference picture</translation>
+    </message>
+    <message>
+        <source>Place of a reference</source>
+        <translation>Place of a reference</translation>
+    </message>
+    <message>
+        <source>Order of the references</source>
+        <translation>Order of the references</translation>
+    </message>
+    <message>
+        <source>Reference taken away</source>
+        <translation>Reference taken away</translation>
+    </message>
+    <message>
+        <source>Texture laid</source>
+        <translation>Texture laid</translation>
     </message>
 </context>
 <context>
@@ -7656,10 +8226,6 @@
         <translation>Drops that the next glass&apos; milk is made of</translation>
     </message>
     <message>
-        <source>Cells a side</source>
-        <translation>Cells a side</translation>
-    </message>
-    <message>
         <source>Drops of milk</source>
         <translation>Drops of milk</translation>
     </message>
@@ -7702,6 +8268,10 @@
     <message>
         <source>The next glass</source>
         <translation>The next glass</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>Fineness</translation>
     </message>
 </context>
 <context>
@@ -7855,10 +8425,6 @@
         <translation>Free memory</translation>
     </message>
     <message>
-        <source>%1 GiB</source>
-        <translation>%1 GiB</translation>
-    </message>
-    <message>
         <source>Windows by</source>
         <translation>Windows by</translation>
     </message>
@@ -7893,14 +8459,6 @@
     <message>
         <source>Above, below</source>
         <translation>Above, below</translation>
-    </message>
-    <message>
-        <source>Along the last stroke</source>
-        <translation>Along the last stroke</translation>
-    </message>
-    <message>
-        <source>On the canvas</source>
-        <translation>On the canvas</translation>
     </message>
     <message>
         <source>Choose...</source>
@@ -8082,6 +8640,26 @@
         <source>Easel</source>
         <translation>Easel</translation>
     </message>
+    <message>
+        <source>Snap</source>
+        <translation>Snap</translation>
+    </message>
+    <message>
+        <source>Add...</source>
+        <translation>Add...</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>Own window</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>References</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -8180,6 +8758,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::BrushShelving</name>
+    <message>
+        <source>A tag needs a name.</source>
+        <translation>A tag needs a name.</translation>
+    </message>
+    <message>
+        <source>New tag</source>
+        <translation>New tag</translation>
+    </message>
+    <message>
+        <source>Name of the tag:</source>
+        <translation>Name of the tag:</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::CanvasSizing</name>
     <message>
         <source>A recording is being played; the canvas is yours when it has ended.</source>
@@ -8242,6 +8835,10 @@
     <message>
         <source>Leave it</source>
         <translation>Leave it</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it beside the canvas, as a reference</source>
+        <translation>&amp;Keep it beside the canvas, as a reference</translation>
     </message>
 </context>
 <context>
@@ -8474,12 +9071,12 @@
         <translation>There is no paint of this layer in the selection.</translation>
     </message>
     <message>
-        <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</source>
-        <translation>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</translation>
-    </message>
-    <message>
         <source>The paint stays as it is.</source>
         <translation>The paint stays as it is.</translation>
+    </message>
+    <message>
+        <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</source>
+        <translation>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</translation>
     </message>
 </context>
 <context>
@@ -8513,6 +9110,37 @@
     <message>
         <source>Nothing would be left of the selection.</source>
         <translation>Nothing would be left of the selection.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::MaskingCommands</name>
+    <message>
+        <source>Paint masking fluid, as wide as the tool in hand: no paint gets below it. Alt peels it off again; Esc, or taking a tool, goes back to painting.</source>
+        <translation>Paint masking fluid, as wide as the tool in hand: no paint gets below it. Alt peels it off again; Esc, or taking a tool, goes back to painting.</translation>
+    </message>
+    <message>
+        <source>Drag a strip of masking tape, as wide as the tool in hand; Shift keeps it level, upright or halfway. Alt peels it off again; Esc, or taking a tool, goes back to painting.</source>
+        <translation>Drag a strip of masking tape, as wide as the tool in hand; Shift keeps it level, upright or halfway. Alt peels it off again; Esc, or taking a tool, goes back to painting.</translation>
+    </message>
+    <message>
+        <source>Nothing was masked. Esc again goes back to painting.</source>
+        <translation>Nothing was masked. Esc again goes back to painting.</translation>
+    </message>
+    <message>
+        <source>Peels the masking off there.</source>
+        <translation>Peels the masking off there.</translation>
+    </message>
+    <message>
+        <source>Masks the canvas there.</source>
+        <translation>Masks the canvas there.</translation>
+    </message>
+    <message>
+        <source>The brush paints again.</source>
+        <translation>The brush paints again.</translation>
+    </message>
+    <message>
+        <source>The masking is peeled off.</source>
+        <translation>The masking is peeled off.</translation>
     </message>
 </context>
 <context>
@@ -8830,6 +9458,37 @@
     <message>
         <source>Nothing has been painted yet that could be shown again.</source>
         <translation>Nothing has been painted yet that could be shown again.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ReferenceCommands</name>
+    <message>
+        <source>Add reference pictures</source>
+        <translation>Add reference pictures</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Pictures (%1);;All files (*)</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>the picture</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Picture</translation>
+    </message>
+    <message>
+        <source>There is no picture in it; save it as a file, and drag that here.</source>
+        <translation>There is no picture in it; save it as a file, and drag that here.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Reading %1</translation>
+    </message>
+    <message>
+        <source>Picked from the reference: %1</source>
+        <translation>Picked from the reference: %1</translation>
     </message>
 </context>
 <context>
@@ -9196,6 +9855,29 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TextureCommands</name>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Pictures (%1);;All files (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Reading %1</translation>
+    </message>
+    <message>
+        <source>The paste lies on the whole canvas, dry.</source>
+        <translation>The paste lies on the whole canvas, dry.</translation>
+    </message>
+    <message>
+        <source>The paste lies where it is selected, dry.</source>
+        <translation>The paste lies where it is selected, dry.</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>A recording is being played; the paint is yours when it has ended.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
@@ -9235,6 +9917,41 @@
     <message>
         <source>Type another name: that one is empty, or another set&apos;s.</source>
         <translation>Type another name: that one is empty, or another set&apos;s.</translation>
+    </message>
+    <message>
+        <source>Export my sets of tubes</source>
+        <translation>Export my sets of tubes</translation>
+    </message>
+    <message>
+        <source>my-tubes.json</source>
+        <translation>my-tubes.json</translation>
+    </message>
+    <message>
+        <source>Sets of tubes (*.json)</source>
+        <translation>Sets of tubes (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Saved %1.</translation>
+    </message>
+    <message>
+        <source>Import sets of tubes</source>
+        <translation>Import sets of tubes</translation>
+    </message>
+    <message>
+        <source>You have all sets of that file already.</source>
+        <translation>You have all sets of that file already.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n set(s) added to your own.</source>
+        <translation>
+            <numerusform>%n set added to your own.</numerusform>
+            <numerusform>%n sets added to your own.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No paint was squeezed out beside an earlier painting yet.</source>
+        <translation>No paint was squeezed out beside an earlier painting yet.</translation>
     </message>
 </context>
 <context>
@@ -9893,6 +10610,86 @@
         <source>On the grain</source>
         <translation>On the grain</translation>
     </message>
+    <message>
+        <source>%1: %2 to %3%4</source>
+        <translation>%1: %2 to %3%4</translation>
+    </message>
+    <message>
+        <source>Middle, from the left</source>
+        <translation>Middle, from the left</translation>
+    </message>
+    <message>
+        <source>Middle, from above</source>
+        <translation>Middle, from above</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Slope</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Height</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Turned by</translation>
+    </message>
+    <message>
+        <source>First point, from the left</source>
+        <translation>First point, from the left</translation>
+    </message>
+    <message>
+        <source>First point, from above</source>
+        <translation>First point, from above</translation>
+    </message>
+    <message>
+        <source>Second point, from the left</source>
+        <translation>Second point, from the left</translation>
+    </message>
+    <message>
+        <source>Second point, from above</source>
+        <translation>Second point, from above</translation>
+    </message>
+    <message>
+        <source>Third point, from the left</source>
+        <translation>Third point, from the left</translation>
+    </message>
+    <message>
+        <source>Third point, from above</source>
+        <translation>Third point, from above</translation>
+    </message>
+    <message>
+        <source>Slope of the horizon</source>
+        <translation>Slope of the horizon</translation>
+    </message>
+    <message>
+        <source>Crossing, from the left</source>
+        <translation>Crossing, from the left</translation>
+    </message>
+    <message>
+        <source>Crossing, from above</source>
+        <translation>Crossing, from above</translation>
+    </message>
+    <message>
+        <source>Slope of the first lines</source>
+        <translation>Slope of the first lines</translation>
+    </message>
+    <message>
+        <source>Spacing of the first lines</source>
+        <translation>Spacing of the first lines</translation>
+    </message>
+    <message>
+        <source>Slope of the others</source>
+        <translation>Slope of the others</translation>
+    </message>
+    <message>
+        <source>Spacing of the others</source>
+        <translation>Spacing of the others</translation>
+    </message>
+    <message>
+        <source>Snaps within</source>
+        <translation>Snaps within</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::AidsPart</name>
@@ -10073,10 +10870,6 @@
         <translation>How the hand is steadied</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
-        <translation>How a trembling hand is steadied, besides the brush&apos;s own smoothing</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>off</translation>
     </message>
@@ -10111,6 +10904,14 @@
     <message>
         <source>Width of the brush&apos;s tip</source>
         <translation>Width of the brush&apos;s tip</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Tags</translation>
+    </message>
+    <message>
+        <source>New tag...</source>
+        <translation>New tag...</translation>
     </message>
 </context>
 <context>
@@ -10318,10 +11119,6 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>Light</translation>
     </message>
     <message>
-        <source>Seen in</source>
-        <translation>Seen in</translation>
-    </message>
-    <message>
         <source>Drying</source>
         <translation>Drying</translation>
     </message>
@@ -10383,42 +11180,6 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <source>Axis</source>
         <translation>Axis</translation>
     </message>
-    <message>
-        <source>Ruler</source>
-        <translation>Ruler</translation>
-    </message>
-    <message>
-        <source>Middle, from the left</source>
-        <translation>Middle, from the left</translation>
-    </message>
-    <message>
-        <source>Middle, from above</source>
-        <translation>Middle, from above</translation>
-    </message>
-    <message>
-        <source>Slope</source>
-        <translation>Slope</translation>
-    </message>
-    <message>
-        <source>Ellipse</source>
-        <translation>Ellipse</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Width</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Height</translation>
-    </message>
-    <message>
-        <source>Turned by</source>
-        <translation>Turned by</translation>
-    </message>
-    <message>
-        <source>%1: %2 to %3%4</source>
-        <translation>%1: %2 to %3%4</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
@@ -10446,8 +11207,8 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>What the steps take; &quot;Memory for undo&quot; in the Edit menu says how much they may</translation>
     </message>
     <message>
-        <source>%1 of %2 MiB</source>
-        <translation>%1 of %2 MiB</translation>
+        <source>%1 of %2 MB</source>
+        <translation>%1 of %2 MB</translation>
     </message>
 </context>
 <context>
@@ -10482,6 +11243,73 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     </message>
 </context>
 <context>
+    <name>pastoso::panels::LaidGuidePart</name>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Snapping strength</source>
+        <translation>Snapping strength</translation>
+    </message>
+    <message>
+        <source>How far the guide draws the brush from where your hand is: 0 not at all, 100 all the way</source>
+        <translation>How far the guide draws the brush from where your hand is: 0 not at all, 100 all the way</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>What guides your strokes</source>
+        <translation>What guides your strokes</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>none</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Ruler</translation>
+    </message>
+    <message>
+        <source>Parallel ruler</source>
+        <translation>Parallel ruler</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Concentric ellipse</source>
+        <translation>Concentric ellipse</translation>
+    </message>
+    <message>
+        <source>1 point perspective</source>
+        <translation>1 point perspective</translation>
+    </message>
+    <message>
+        <source>2 point perspective</source>
+        <translation>2 point perspective</translation>
+    </message>
+    <message>
+        <source>3 point perspective</source>
+        <translation>3 point perspective</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grid</translation>
+    </message>
+    <message>
+        <source>Lies on the canvas</source>
+        <translation>Lies on the canvas</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::LayerModel</name>
     <message>
         <source>a group of %1</source>
@@ -10502,6 +11330,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>opacity %1 %</source>
         <translation>opacity %1 %</translation>
+    </message>
+    <message>
+        <source>what is bare is locked</source>
+        <translation>what is bare is locked</translation>
     </message>
 </context>
 <context>
@@ -11161,6 +11993,90 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
 </context>
 <context>
+    <name>pastoso::panels::ReferencePanel</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacity</translation>
+    </message>
+    <message>
+        <source>How strongly the chosen picture shows</source>
+        <translation>How strongly the chosen picture shows</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>Raise</translation>
+    </message>
+    <message>
+        <source>Above the next picture (PgUp)</source>
+        <translation>Above the next picture (PgUp)</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Lower</translation>
+    </message>
+    <message>
+        <source>Below the picture under it (PgDown)</source>
+        <translation>Below the picture under it (PgDown)</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Mirror</translation>
+    </message>
+    <message>
+        <source>Left and right change sides</source>
+        <translation>Left and right change sides</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>Greys</translation>
+    </message>
+    <message>
+        <source>Shown in greys as light as its colours</source>
+        <translation>Shown in greys as light as its colours</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Take away</translation>
+    </message>
+    <message>
+        <source>Take the chosen picture off the board (Del)</source>
+        <translation>Take the chosen picture off the board (Del)</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::ReferenceView</name>
+    <message>
+        <source>Board of references</source>
+        <translation>Board of references</translation>
+    </message>
+    <message>
+        <source>Drag: move a picture, scale it by a corner, turn it by the ring
+Control and click: paint of that colour
+Wheel: closer, farther; with Shift it turns the picture
+Double click, 0: all of it</source>
+        <translation>Drag: move a picture, scale it by a corner, turn it by the ring
+Control and click: paint of that colour
+Wheel: closer, farther; with Shift it turns the picture
+Double click, 0: all of it</translation>
+    </message>
+    <message>
+        <source>pictures: %1</source>
+        <translation>pictures: %1</translation>
+    </message>
+    <message>
+        <source>pictures: %1; chosen: %2</source>
+        <translation>pictures: %1; chosen: %2</translation>
+    </message>
+    <message>
+        <source>Drag pictures here, to look at them and pick their colours while you paint.</source>
+        <translation>Drag pictures here, to look at them and pick their colours while you paint.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
         <source>The pen&apos;s place on the canvas, from its upper left corner</source>
@@ -11219,14 +12135,6 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <translation>%1 × time</translation>
     </message>
     <message>
-        <source>%1 MiB</source>
-        <translation>%1 MiB</translation>
-    </message>
-    <message>
-        <source>%1 GiB</source>
-        <translation>%1 GiB</translation>
-    </message>
-    <message>
         <source>%1 % selected</source>
         <translation>%1 % selected</translation>
     </message>
@@ -11241,6 +12149,14 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>paint moving, %1 % busy</source>
         <translation>paint moving, %1 % busy</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
     </message>
 </context>
 <context>
@@ -11360,6 +12276,18 @@ Drag: move the picture
     <message>
         <source>Squeeze these onto the mixing well</source>
         <translation>Squeeze these onto the mixing well</translation>
+    </message>
+    <message>
+        <source>Import sets...</source>
+        <translation>Import sets...</translation>
+    </message>
+    <message>
+        <source>Export my sets...</source>
+        <translation>Export my sets...</translation>
+    </message>
+    <message>
+        <source>Squeeze out the last painting&apos;s palette</source>
+        <translation>Squeeze out the last painting&apos;s palette</translation>
     </message>
 </context>
 <context>
@@ -11696,6 +12624,14 @@ Drag: move the picture
     <message>
         <source>Canvas turned</source>
         <translation>Canvas turned</translation>
+    </message>
+    <message>
+        <source>Masking tape</source>
+        <translation>Masking tape</translation>
+    </message>
+    <message>
+        <source>Masking peeled off</source>
+        <translation>Masking peeled off</translation>
     </message>
 </context>
 </TS>

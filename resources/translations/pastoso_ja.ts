@@ -1698,10 +1698,6 @@
         <translation>数値が有限でない粒子が含まれています。</translation>
     </message>
     <message>
-        <source>holds a selection of another canvas than this one.</source>
-        <translation>このキャンバスのものではない選択範囲が含まれています。</translation>
-    </message>
-    <message>
         <source>holds a value of a cell that is not finite.</source>
         <translation>有限でないセルの値が含まれています。</translation>
     </message>
@@ -2068,10 +2064,6 @@
     <message>
         <source>seed of the brush</source>
         <translation>ブラシのシード</translation>
-    </message>
-    <message>
-        <source>selects nothing.</source>
-        <translation>何も選択していません。</translation>
     </message>
     <message>
         <source>shadow softness in mm</source>
@@ -2829,6 +2821,198 @@
         <source>wheel of the pen</source>
         <translation>ペンのホイール</translation>
     </message>
+    <message>
+        <source>a tag needs a name.</source>
+        <translation>タグには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>corner that is distorted</source>
+        <translation>変形する範囲の角</translation>
+    </message>
+    <message>
+        <source>diameter of the grains</source>
+        <translation>粒の直径</translation>
+    </message>
+    <message>
+        <source>direction of the grid&apos;s first lines</source>
+        <translation>グリッドの 1 組目の線の向き</translation>
+    </message>
+    <message>
+        <source>direction of the grid&apos;s other lines</source>
+        <translation>グリッドのもう 1 組の線の向き</translation>
+    </message>
+    <message>
+        <source>direction of the horizon</source>
+        <translation>水平線の向き</translation>
+    </message>
+    <message>
+        <source>direction of the knife</source>
+        <translation>ナイフの向き</translation>
+    </message>
+    <message>
+        <source>direction of uprights</source>
+        <translation>垂直線の向き</translation>
+    </message>
+    <message>
+        <source>expected at most %1 references.</source>
+        <translation>参考画像は %1 枚までのはずです。</translation>
+    </message>
+    <message>
+        <source>first vanishing point</source>
+        <translation>1 つ目の消失点</translation>
+    </message>
+    <message>
+        <source>grid&apos;s point</source>
+        <translation>グリッドの点</translation>
+    </message>
+    <message>
+        <source>height of the texture</source>
+        <translation>テクスチャーの高さ</translation>
+    </message>
+    <message>
+        <source>holds cells of another canvas than this one.</source>
+        <translation>このキャンバスのものではないセルが含まれています。</translation>
+    </message>
+    <message>
+        <source>holds no cell.</source>
+        <translation>セルが含まれていません。</translation>
+    </message>
+    <message>
+        <source>length of a side of the distortion, times what it was,</source>
+        <translation>変形後の辺の長さ（元の長さに対する倍率）</translation>
+    </message>
+    <message>
+        <source>lower left corner of the distortion</source>
+        <translation>変形の左下の角</translation>
+    </message>
+    <message>
+        <source>lower right corner of the distortion</source>
+        <translation>変形の右下の角</translation>
+    </message>
+    <message>
+        <source>makes the references larger than any board holds.</source>
+        <translation>これで参考画像がボードの限度を超えます。</translation>
+    </message>
+    <message>
+        <source>masking&apos;s point</source>
+        <translation>マスキングの点</translation>
+    </message>
+    <message>
+        <source>name of a reference</source>
+        <translation>参考画像の名前</translation>
+    </message>
+    <message>
+        <source>number of the masking&apos;s points</source>
+        <translation>マスキングの点の数</translation>
+    </message>
+    <message>
+        <source>number of the reference</source>
+        <translation>参考画像の番号</translation>
+    </message>
+    <message>
+        <source>number of vanishing points</source>
+        <translation>消失点の数</translation>
+    </message>
+    <message>
+        <source>opacity of the reference</source>
+        <translation>参考画像の不透明度</translation>
+    </message>
+    <message>
+        <source>position of the reference</source>
+        <translation>参考画像の順番</translation>
+    </message>
+    <message>
+        <source>second vanishing point</source>
+        <translation>2 つ目の消失点</translation>
+    </message>
+    <message>
+        <source>seed of the texture</source>
+        <translation>テクスチャーのシード</translation>
+    </message>
+    <message>
+        <source>size of what is distorted</source>
+        <translation>変形する範囲の大きさ</translation>
+    </message>
+    <message>
+        <source>spacing of the grid&apos;s first lines</source>
+        <translation>グリッドの 1 組目の線の間隔</translation>
+    </message>
+    <message>
+        <source>spacing of the grid&apos;s other lines</source>
+        <translation>グリッドのもう 1 組の線の間隔</translation>
+    </message>
+    <message>
+        <source>spacing of the ridges</source>
+        <translation>うねの間隔</translation>
+    </message>
+    <message>
+        <source>strength of the guide</source>
+        <translation>ガイドの強さ</translation>
+    </message>
+    <message>
+        <source>the board holds %1 references, and no more are kept.</source>
+        <translation>ボードには参考画像が %1 枚あり、これ以上は置けません。</translation>
+    </message>
+    <message>
+        <source>the corners of the distortion have to go round an area that bends outwards at each of them, by %1 degree or more.</source>
+        <translation>変形の四隅は、どの角も%1度以上外側に折れた四角形を囲む必要があります。</translation>
+    </message>
+    <message>
+        <source>the name of a reference has %1 bytes, but at most %2 are kept.</source>
+        <translation>参考画像の名前が %1 バイトありますが、保存できるのは %2 バイトまでです。</translation>
+    </message>
+    <message>
+        <source>the number %1 has not been given yet.</source>
+        <translation>番号 %1 はまだ割り当てられていません。</translation>
+    </message>
+    <message>
+        <source>the references on the board are too large; at most %1 million pixels in all are kept.</source>
+        <translation>ボードの参考画像が大きすぎます。置けるのは全部で %1 百万ピクセルまでです。</translation>
+    </message>
+    <message>
+        <source>there are two references %1.</source>
+        <translation>参考画像 %1 が 2 つあります。</translation>
+    </message>
+    <message>
+        <source>these are no corners of that mask.</source>
+        <translation>これはそのマスクの角ではありません。</translation>
+    </message>
+    <message>
+        <source>third vanishing point</source>
+        <translation>3 つ目の消失点</translation>
+    </message>
+    <message>
+        <source>turn of the canvas</source>
+        <translation>キャンバスの回転</translation>
+    </message>
+    <message>
+        <source>turn of the reference</source>
+        <translation>参考画像の回転</translation>
+    </message>
+    <message>
+        <source>upper left corner of the distortion</source>
+        <translation>変形の左上の角</translation>
+    </message>
+    <message>
+        <source>upper right corner of the distortion</source>
+        <translation>変形の右上の角</translation>
+    </message>
+    <message>
+        <source>width of the masking</source>
+        <translation>マスキングの幅</translation>
+    </message>
+    <message>
+        <source>width of the reference</source>
+        <translation>参考画像の幅</translation>
+    </message>
+    <message>
+        <source>x of the reference</source>
+        <translation>参考画像の x</translation>
+    </message>
+    <message>
+        <source>y of the reference</source>
+        <translation>参考画像の y</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3359,6 +3543,14 @@
     <message>
         <source>%1 widths</source>
         <translation>筆幅の%1倍</translation>
+    </message>
+    <message>
+        <source>What is bare is locked: tools change only what has paint. Click to unlock</source>
+        <translation>絵具のない部分はロック中。ツールは絵具のある部分だけを変える。クリックでロックを解除</translation>
+    </message>
+    <message>
+        <source>Click to lock what is bare: tools change only what has paint</source>
+        <translation>クリックで絵具のない部分をロックし、絵具のある部分だけをツールで変える</translation>
     </message>
 </context>
 <context>
@@ -4040,6 +4232,54 @@
         <source>0: levels the hollows that it reaches, 1: coats the grain alone.</source>
         <translation>0: 届くくぼみを埋める。1: 目の山だけに付く。</translation>
     </message>
+    <message>
+        <source>How many squares of the paint&apos;s grid lie side by side in a millimetre, and pixels in the saved picture: more show finer hairs, and need more memory and time</source>
+        <translation>1 ミリメートルに並ぶ絵具の格子のマス目の数で、保存する画像のピクセル数でもあります。多いほど細い毛先まで見えますが、メモリーと時間がかかります</translation>
+    </message>
+    <message>
+        <source>What paint lies on, bare: linen, jute, cotton duck, a panel or a height image</source>
+        <translation>絵具をのせる前の素地。麻布、ジュート、綿帆布、パネル、または高さ画像</translation>
+    </message>
+    <message>
+        <source>How steeply the canvas stands, and where down is: wet paint runs there</source>
+        <translation>キャンバスの傾きの急さと、下の向き。濡れた絵具はそちらへ流れます</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands that lights the painting: a low one shows the relief, the heights of paint and canvas</source>
+        <translation>絵を照らすランプの位置。低いと、絵具とキャンバスの凹凸がよく見えます</translation>
+    </message>
+    <message>
+        <source>How many times as fast as by the clock wet paint becomes dry paint</source>
+        <translation>濡れた絵具が、時計の何倍の速さで乾くか</translation>
+    </message>
+    <message>
+        <source>What the brush holds from side to side of its tip, and how full it is of what it can hold</source>
+        <translation>穂先の端から端までブラシが含んでいるものと、含める量のどれだけを含んでいるか</translation>
+    </message>
+    <message>
+        <source>What pigment is mixed with: it decides how stiff the paint is, how far it levels and how soon it dries</source>
+        <translation>顔料を混ぜるもの。絵具の硬さ、平らになる度合い、乾く早さを決めます</translation>
+    </message>
+    <message>
+        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
+        <translation>ブラシ自体の滑らかさに加えて、手の震えを抑える方法</translation>
+    </message>
+    <message>
+        <source>Hues that go together by their places on the wheel</source>
+        <translation>色相環での位置によって調和する色相</translation>
+    </message>
+    <message>
+        <source>A shape on the disc of hues that choosing on the wheel keeps to</source>
+        <translation>色相の円盤の上の形で、ホイールで選ぶ色はこの中に保たれます</translation>
+    </message>
+    <message>
+        <source>The light that the painting is seen in: the same paint has other colours in another one</source>
+        <translation>絵を見る光。光が違えば、同じ絵具も違う色に見えます</translation>
+    </message>
+    <message>
+        <source>A clear coat over the whole painting that is looked through, and changes no paint</source>
+        <translation>絵全体を覆う透明な層。透かして見るもので、絵具は変わりません</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::commands</name>
@@ -4616,10 +4856,6 @@
         <translation>ガイドなし(&amp;N)</translation>
     </message>
     <message>
-        <source>Take mirrors, copies, ruler and ellipse away</source>
-        <translation>対称、コピー、定規、楕円をすべて外す</translation>
-    </message>
-    <message>
         <source>&amp;Trace a picture...</source>
         <translation>下絵を置く(&amp;T)...</translation>
     </message>
@@ -4790,10 +5026,6 @@
     <message>
         <source>&amp;Guides panel</source>
         <translation>ガイドパネル(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Mirrors, ruler and ellipse in millimetres</source>
-        <translation>対称、定規、楕円をミリメートルで</translation>
     </message>
     <message>
         <source>&amp;Layers panel</source>
@@ -5767,6 +5999,158 @@
         <source>Three steps: paint, move the canvas, take other paint</source>
         <translation>三つの手順: 描く、キャンバスを動かす、絵具を替える</translation>
     </message>
+    <message>
+        <source>Rotate &amp;image...</source>
+        <translation>画像を回転(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>Turn the whole painting by any angle, to put a horizon straight</source>
+        <translation>絵全体を好きな角度だけ回転する。水平線をまっすぐにするときなどに</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture paste...</source>
+        <translation>テクスチャーペースト(&amp;X)...</translation>
+    </message>
+    <message>
+        <source>Lay a dry relief of the paint in hand: sand, modelling paste, or a picture pressed in</source>
+        <translation>手持ちの絵具で乾いた凹凸を置く。砂、モデリングペースト、または画像の型押し</translation>
+    </message>
+    <message>
+        <source>Lock &amp;what is bare</source>
+        <translation>絵具のない部分をロック(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Tools change the layer only where it has paint already</source>
+        <translation>レイヤーに既に絵具がある部分だけをツールで変えられるようにする</translation>
+    </message>
+    <message>
+        <source>&amp;Masking fluid</source>
+        <translation>マスキング液(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Paint a skin that no paint gets below, as wide as the tool in hand; Alt peels it off</source>
+        <translation>手にしたツールと同じ幅で、絵具が下に入らない膜を描く。Altで剥がす</translation>
+    </message>
+    <message>
+        <source>Masking &amp;tape</source>
+        <translation>マスキングテープ(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Drag a strip with clean edges that no paint gets below; Alt peels it off</source>
+        <translation>縁のきれいな、絵具が下に入らない帯をドラッグして貼る。Altで剥がす</translation>
+    </message>
+    <message>
+        <source>M&amp;ask the selection</source>
+        <translation>選択範囲をマスクする(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Keep all paint off what is selected, until the masking is peeled off</source>
+        <translation>マスキングを剥がすまで、選択した部分に絵具が付かないようにする</translation>
+    </message>
+    <message>
+        <source>Select what is maske&amp;d</source>
+        <translation>マスクした部分を選択する(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Select all that masking fluid and tape cover</source>
+        <translation>マスキング液とテープが覆う部分をすべて選択する</translation>
+    </message>
+    <message>
+        <source>Peel off all mas&amp;king</source>
+        <translation>マスキングをすべて剥がす(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Take all masking fluid and tape away; the paint below is as it was</source>
+        <translation>マスキング液とテープをすべて取り除く。下の絵具は元のまま</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel ruler</source>
+        <translation>平行定規(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Strokes run parallel to the ruler from wherever they start</source>
+        <translation>ストロークはどこから始めても定規と平行になる</translation>
+    </message>
+    <message>
+        <source>&amp;Concentric ellipse</source>
+        <translation>同心楕円(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Strokes run round the same middle from wherever they start</source>
+        <translation>ストロークはどこから始めても同じ中心を回る</translation>
+    </message>
+    <message>
+        <source>&amp;1 point perspective</source>
+        <translation>1 点透視(&amp;1)</translation>
+    </message>
+    <message>
+        <source>Strokes run to the vanishing point, level or upright</source>
+        <translation>ストロークは消失点へ向かうか、水平または垂直になる</translation>
+    </message>
+    <message>
+        <source>&amp;2 point perspective</source>
+        <translation>2 点透視(&amp;2)</translation>
+    </message>
+    <message>
+        <source>Strokes run to one of two vanishing points, or upright</source>
+        <translation>ストロークは 2 つの消失点のどちらかへ向かうか、垂直になる</translation>
+    </message>
+    <message>
+        <source>&amp;3 point perspective</source>
+        <translation>3 点透視(&amp;3)</translation>
+    </message>
+    <message>
+        <source>Strokes run to one of three vanishing points</source>
+        <translation>ストロークは 3 つの消失点のどれかへ向かう</translation>
+    </message>
+    <message>
+        <source>Gri&amp;d</source>
+        <translation>グリッド(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Strokes run along the lines of a grid, or beside them</source>
+        <translation>ストロークがグリッドの線に沿う、または線と平行になる</translation>
+    </message>
+    <message>
+        <source>Snap to the &amp;guide</source>
+        <translation>ガイドにスナップ(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Without it your hand is free, and the guide only shows where to go</source>
+        <translation>オフにすると手は自由になり、ガイドは道筋を示すだけになる</translation>
+    </message>
+    <message>
+        <source>Take mirrors, copies and the guide away</source>
+        <translation>対称、コピー、ガイドをすべて外す</translation>
+    </message>
+    <message>
+        <source>&amp;Add reference pictures...</source>
+        <translation>参考画像を追加(&amp;A)...</translation>
+    </message>
+    <message>
+        <source>Lay pictures on the board of references, to look at and to pick colours from</source>
+        <translation>参考画像のボードに画像を置き、見たり色を拾ったりする</translation>
+    </message>
+    <message>
+        <source>References in a &amp;window of their own</source>
+        <translation>参考画像を別ウィンドウに(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The board of references above the canvas, or among the panels</source>
+        <translation>参考画像のボードをキャンバスの上に、またはパネルの中に置く</translation>
+    </message>
+    <message>
+        <source>Mirrors, rulers, perspectives and grids in numbers</source>
+        <translation>対称、定規、透視、グリッドを数値で</translation>
+    </message>
+    <message>
+        <source>Re&amp;ferences panel</source>
+        <translation>参考画像パネル(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Pictures to look at while you paint, and to pick colours from</source>
+        <translation>描きながら見て、色を拾うための画像</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6355,8 +6739,8 @@
         <translation>このマシンが手の速さについていけるのは %1 px/mm までです。描いた絵は、あとからより細かく再描画できます。</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
-        <translation>%1 × %2 ピクセル、%3 dpi の画像になります。全体が濡れているときは最大 %4 MiB のメモリーを使います。</translation>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
+        <translation>%1 × %2 ピクセル、%3 dpi の画像になります。全体が濡れているときは最大 %4 MB のメモリーを使います。</translation>
     </message>
 </context>
 <context>
@@ -6421,8 +6805,67 @@
         <translation>1 mm あたりのピクセル数(&amp;P)</translation>
     </message>
     <message>
-        <source>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 ピクセル。メモリを約 %3 GiB 使います（空き %4 GiB）。ストロークは別に描き直され、イーゼルの絵はそのまま残ります。</translation>
+        <source>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 ピクセル。メモリを約 %3 GB 使います（空き %4 GB）。ストロークは別に描き直され、イーゼルの絵はそのまま残ります。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::RotateDialog</name>
+    <message>
+        <source>&amp;Keep the size of the canvas</source>
+        <translation>キャンバスの大きさを保つ(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Rotate the image</source>
+        <translation>画像の回転</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Clockwise, about the middle of the canvas</source>
+        <translation>キャンバスの中心を軸に時計回り</translation>
+    </message>
+    <message>
+        <source>What comes beyond the canvas is wiped off</source>
+        <translation>キャンバスからはみ出した絵具は拭き取られます</translation>
+    </message>
+    <message>
+        <source>Put the &amp;ruler straight</source>
+        <translation>定規をまっすぐにする(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Turns until the ruler is level or upright, whichever is nearer</source>
+        <translation>定規が水平か垂直（近い方）になるまで回転します</translation>
+    </message>
+    <message>
+        <source>Lay a ruler along the horizon first</source>
+        <translation>先に定規を水平線に沿わせてください</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>The image stands like this.</source>
+        <translation>画像はすでにこの向きです。</translation>
+    </message>
+    <message>
+        <source>A canvas of %1 × %2 mm.</source>
+        <translation>キャンバスは %1 × %2 mm になります。</translation>
+    </message>
+    <message>
+        <source>What comes beyond it is wiped off.</source>
+        <translation>はみ出した絵具は拭き取られます。</translation>
+    </message>
+    <message>
+        <source>What is new in its corners is bare.</source>
+        <translation>新しくできる隅には何も塗られていません。</translation>
+    </message>
+    <message>
+        <source>Paint keeps its thickness, and the cloth stays upright.</source>
+        <translation>絵具の厚みは変わらず、布目の向きもそのままです。</translation>
     </message>
 </context>
 <context>
@@ -6472,8 +6915,8 @@
         <translation>画像はすでにこのサイズと解像度です。</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
-        <translation>%1 × %2 ピクセル、%3 dpi の画像になります。全体が濡れているときは最大 %4 MiB のメモリーを使います。</translation>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
+        <translation>%1 × %2 ピクセル、%3 dpi の画像になります。全体が濡れているときは最大 %4 MB のメモリーを使います。</translation>
     </message>
 </context>
 <context>
@@ -6570,10 +7013,6 @@
         <translation>言語の変更は次回の起動から反映されます。</translation>
     </message>
     <message>
-        <source> MiB</source>
-        <translation> MiB</translation>
-    </message>
-    <message>
         <source>Memory for undo</source>
         <translation>元に戻すためのメモリー</translation>
     </message>
@@ -6596,10 +7035,6 @@
     <message>
         <source>All of the machine (%1)</source>
         <translation>すべて使う (%1)</translation>
-    </message>
-    <message>
-        <source>Threads</source>
-        <translation>スレッド数</translation>
     </message>
     <message>
         <source>How many things the program works on at once, from the next painting on. The paint flows the same with any number.</source>
@@ -6691,6 +7126,97 @@
         <source>Undo and saving</source>
         <translation>元に戻すと保存</translation>
     </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Processors in use</source>
+        <translation>使うプロセッサーの数</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::TextureDialog</name>
+    <message>
+        <source>A&amp;nother</source>
+        <translation>別のもの(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Texture paste</source>
+        <translation>テクスチャーペースト</translation>
+    </message>
+    <message>
+        <source>A dry coat of the paint in hand lies on the layer that you paint on, where it is selected or all over. Brushes then catch on it.</source>
+        <translation>手持ちの絵具の乾いた層が、描いているレイヤーの選択範囲または全体に載ります。その上で筆が引っかかるようになります。</translation>
+    </message>
+    <message>
+        <source>Sand</source>
+        <translation>砂</translation>
+    </message>
+    <message>
+        <source>Modelling paste</source>
+        <translation>モデリングペースト</translation>
+    </message>
+    <message>
+        <source>A picture pressed in</source>
+        <translation>画像の型押し</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>テクスチャー</translation>
+    </message>
+    <message>
+        <source>Grains</source>
+        <translation>粒</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Between ridges</source>
+        <translation>うねの間隔</translation>
+    </message>
+    <message>
+        <source>Other grains or other passes of the knife</source>
+        <translation>別の粒、または別のナイフの跡にする</translation>
+    </message>
+    <message>
+        <source>Lay the paste</source>
+        <translation>ペーストを置く</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Which way the knife went: 0 to the right, 90 down</source>
+        <translation>ナイフが進んだ向き。0は右、90は下</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>What is &amp;dark stands up</source>
+        <translation>暗いところを盛り上げる(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Picture to press in</source>
+        <translation>型押しする画像</translation>
+    </message>
+    <message>
+        <source>Choose a picture...</source>
+        <translation>画像を選ぶ...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
@@ -6769,6 +7295,14 @@
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
         <translation>キャンバスからはみ出した絵具は拭き取られます。</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl: a corner alone, or a side askew.</source>
+        <translation>Ctrlを押しながらドラッグ: 角は一つだけ、辺は斜めに動きます。</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>四隅</translation>
     </message>
 </context>
 <context>
@@ -6876,6 +7410,42 @@
     <message>
         <source>Ground toned</source>
         <translation>下地の着色</translation>
+    </message>
+    <message>
+        <source>Painting rotated</source>
+        <translation>作品の回転</translation>
+    </message>
+    <message>
+        <source>Masking fluid</source>
+        <translation>マスキング液</translation>
+    </message>
+    <message>
+        <source>Selection masked</source>
+        <translation>選択範囲のマスク</translation>
+    </message>
+    <message>
+        <source>Masking peeled off</source>
+        <translation>マスキングを剥がす</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>参考画像</translation>
+    </message>
+    <message>
+        <source>Place of a reference</source>
+        <translation>参考画像の位置</translation>
+    </message>
+    <message>
+        <source>Order of the references</source>
+        <translation>参考画像の順序</translation>
+    </message>
+    <message>
+        <source>Reference taken away</source>
+        <translation>参考画像を外す</translation>
+    </message>
+    <message>
+        <source>Texture laid</source>
+        <translation>テクスチャーの塗布</translation>
     </message>
 </context>
 <context>
@@ -7648,10 +8218,6 @@
         <translation>次のグラスのミルクを作る滴の数</translation>
     </message>
     <message>
-        <source>Cells a side</source>
-        <translation>一辺のセル数</translation>
-    </message>
-    <message>
         <source>Drops of milk</source>
         <translation>ミルクの滴</translation>
     </message>
@@ -7694,6 +8260,10 @@
     <message>
         <source>The next glass</source>
         <translation>次のグラス</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>細かさ</translation>
     </message>
 </context>
 <context>
@@ -7847,10 +8417,6 @@
         <translation>空きメモリー</translation>
     </message>
     <message>
-        <source>%1 GiB</source>
-        <translation>%1 GiB</translation>
-    </message>
-    <message>
         <source>Windows by</source>
         <translation>ウィンドウシステム</translation>
     </message>
@@ -7885,14 +8451,6 @@
     <message>
         <source>Above, below</source>
         <translation>上下</translation>
-    </message>
-    <message>
-        <source>Along the last stroke</source>
-        <translation>最後のストロークに沿う</translation>
-    </message>
-    <message>
-        <source>On the canvas</source>
-        <translation>キャンバスに置く</translation>
     </message>
     <message>
         <source>Choose...</source>
@@ -8074,6 +8632,26 @@
         <source>Easel</source>
         <translation>イーゼル</translation>
     </message>
+    <message>
+        <source>Snap</source>
+        <translation>スナップ</translation>
+    </message>
+    <message>
+        <source>Add...</source>
+        <translation>追加...</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>別ウィンドウ</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>参考画像</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -8171,6 +8749,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::BrushShelving</name>
+    <message>
+        <source>A tag needs a name.</source>
+        <translation>タグには名前が必要です。</translation>
+    </message>
+    <message>
+        <source>New tag</source>
+        <translation>新しいタグ</translation>
+    </message>
+    <message>
+        <source>Name of the tag:</source>
+        <translation>タグの名前:</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::CanvasSizing</name>
     <message>
         <source>A recording is being played; the canvas is yours when it has ended.</source>
@@ -8233,6 +8826,10 @@
     <message>
         <source>Leave it</source>
         <translation>そのままにする</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it beside the canvas, as a reference</source>
+        <translation>参考画像としてキャンバスの横に置く(&amp;K)</translation>
     </message>
 </context>
 <context>
@@ -8462,12 +9059,12 @@
         <translation>選択範囲の中に、このレイヤーの絵具がありません。</translation>
     </message>
     <message>
-        <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</source>
-        <translation>内側をドラッグで移動、ハンドルで拡大縮小、外側で回転 (Shiftで段階的に)。Enterで適用、Escで中止します。</translation>
-    </message>
-    <message>
         <source>The paint stays as it is.</source>
         <translation>絵具はそのままです。</translation>
+    </message>
+    <message>
+        <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</source>
+        <translation>内側をドラッグで移動、ハンドルで拡大縮小、外側で回転 (Shiftで段階的に)、Ctrlで角や辺だけを動かします。Enterで適用、Escで中止します。</translation>
     </message>
 </context>
 <context>
@@ -8501,6 +9098,37 @@
     <message>
         <source>Nothing would be left of the selection.</source>
         <translation>選択範囲がなくなってしまいます。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::MaskingCommands</name>
+    <message>
+        <source>Paint masking fluid, as wide as the tool in hand: no paint gets below it. Alt peels it off again; Esc, or taking a tool, goes back to painting.</source>
+        <translation>手にしたツールと同じ幅でマスキング液を塗ります。その下に絵具は入りません。Altで剥がせます。Escを押すか、ツールを選ぶと描画に戻ります。</translation>
+    </message>
+    <message>
+        <source>Drag a strip of masking tape, as wide as the tool in hand; Shift keeps it level, upright or halfway. Alt peels it off again; Esc, or taking a tool, goes back to painting.</source>
+        <translation>手にしたツールと同じ幅のマスキングテープをドラッグして貼ります。Shiftで水平、垂直、斜め45度に揃います。Altで剥がせます。Escを押すか、ツールを選ぶと描画に戻ります。</translation>
+    </message>
+    <message>
+        <source>Nothing was masked. Esc again goes back to painting.</source>
+        <translation>何もマスクされていません。もう一度Escを押すと描画に戻ります。</translation>
+    </message>
+    <message>
+        <source>Peels the masking off there.</source>
+        <translation>そこのマスキングを剥がします。</translation>
+    </message>
+    <message>
+        <source>Masks the canvas there.</source>
+        <translation>そこのキャンバスをマスクします。</translation>
+    </message>
+    <message>
+        <source>The brush paints again.</source>
+        <translation>ブラシで描けるようになりました。</translation>
+    </message>
+    <message>
+        <source>The masking is peeled off.</source>
+        <translation>マスキングを剥がしました。</translation>
     </message>
 </context>
 <context>
@@ -8817,6 +9445,37 @@
     <message>
         <source>Nothing has been painted yet that could be shown again.</source>
         <translation>再生できるものはまだ描かれていません。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ReferenceCommands</name>
+    <message>
+        <source>Add reference pictures</source>
+        <translation>参考画像を追加</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>画像 (%1);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>There is no picture in it; save it as a file, and drag that here.</source>
+        <translation>画像が含まれていません。ファイルとして保存し、それをここにドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1を読んでいます</translation>
+    </message>
+    <message>
+        <source>Picked from the reference: %1</source>
+        <translation>参考画像から取りました: %1</translation>
     </message>
 </context>
 <context>
@@ -9178,6 +9837,29 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TextureCommands</name>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>画像 (%1);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1を読んでいます</translation>
+    </message>
+    <message>
+        <source>The paste lies on the whole canvas, dry.</source>
+        <translation>乾いたペーストがキャンバス全体に載っています。</translation>
+    </message>
+    <message>
+        <source>The paste lies where it is selected, dry.</source>
+        <translation>乾いたペーストが選択範囲に載っています。</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>記録を再生中です。終わると絵具を使えます。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
@@ -9217,6 +9899,40 @@
     <message>
         <source>Type another name: that one is empty, or another set&apos;s.</source>
         <translation>別の名前を入力してください。空か、ほかのセットの名前です。</translation>
+    </message>
+    <message>
+        <source>Export my sets of tubes</source>
+        <translation>自分のチューブのセットを書き出す</translation>
+    </message>
+    <message>
+        <source>my-tubes.json</source>
+        <translation>my-tubes.json</translation>
+    </message>
+    <message>
+        <source>Sets of tubes (*.json)</source>
+        <translation>チューブのセット (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1を保存しました。</translation>
+    </message>
+    <message>
+        <source>Import sets of tubes</source>
+        <translation>チューブのセットを読み込む</translation>
+    </message>
+    <message>
+        <source>You have all sets of that file already.</source>
+        <translation>そのファイルのセットはすべて持っています。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n set(s) added to your own.</source>
+        <translation>
+            <numerusform>%n 個のセットを自分のセットに加えました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No paint was squeezed out beside an earlier painting yet.</source>
+        <translation>前の絵ではまだ絵具を絞り出していません。</translation>
     </message>
 </context>
 <context>
@@ -9875,6 +10591,86 @@
         <source>On the grain</source>
         <translation>目の上</translation>
     </message>
+    <message>
+        <source>%1: %2 to %3%4</source>
+        <translation>%1: %2 ～ %3%4</translation>
+    </message>
+    <message>
+        <source>Middle, from the left</source>
+        <translation>中心、左から</translation>
+    </message>
+    <message>
+        <source>Middle, from above</source>
+        <translation>中心、上から</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>傾斜</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>First point, from the left</source>
+        <translation>1 つ目の点、左から</translation>
+    </message>
+    <message>
+        <source>First point, from above</source>
+        <translation>1 つ目の点、上から</translation>
+    </message>
+    <message>
+        <source>Second point, from the left</source>
+        <translation>2 つ目の点、左から</translation>
+    </message>
+    <message>
+        <source>Second point, from above</source>
+        <translation>2 つ目の点、上から</translation>
+    </message>
+    <message>
+        <source>Third point, from the left</source>
+        <translation>3 つ目の点、左から</translation>
+    </message>
+    <message>
+        <source>Third point, from above</source>
+        <translation>3 つ目の点、上から</translation>
+    </message>
+    <message>
+        <source>Slope of the horizon</source>
+        <translation>水平線の傾斜</translation>
+    </message>
+    <message>
+        <source>Crossing, from the left</source>
+        <translation>交点、左から</translation>
+    </message>
+    <message>
+        <source>Crossing, from above</source>
+        <translation>交点、上から</translation>
+    </message>
+    <message>
+        <source>Slope of the first lines</source>
+        <translation>1 組目の線の傾斜</translation>
+    </message>
+    <message>
+        <source>Spacing of the first lines</source>
+        <translation>1 組目の線の間隔</translation>
+    </message>
+    <message>
+        <source>Slope of the others</source>
+        <translation>もう 1 組の傾斜</translation>
+    </message>
+    <message>
+        <source>Spacing of the others</source>
+        <translation>もう 1 組の間隔</translation>
+    </message>
+    <message>
+        <source>Snaps within</source>
+        <translation>スナップする範囲</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::AidsPart</name>
@@ -10055,10 +10851,6 @@
         <translation>手ぶれ補正の方法</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
-        <translation>ブラシ自体の滑らかさに加えて、手の震えを抑える方法</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>オフ</translation>
     </message>
@@ -10093,6 +10885,14 @@
     <message>
         <source>Width of the brush&apos;s tip</source>
         <translation>ブラシ先の幅</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>タグ</translation>
+    </message>
+    <message>
+        <source>New tag...</source>
+        <translation>新しいタグ...</translation>
     </message>
 </context>
 <context>
@@ -10299,10 +11099,6 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>ライト</translation>
     </message>
     <message>
-        <source>Seen in</source>
-        <translation>見るときの光</translation>
-    </message>
-    <message>
         <source>Drying</source>
         <translation>乾燥</translation>
     </message>
@@ -10364,42 +11160,6 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <source>Axis</source>
         <translation>軸</translation>
     </message>
-    <message>
-        <source>Ruler</source>
-        <translation>定規</translation>
-    </message>
-    <message>
-        <source>Middle, from the left</source>
-        <translation>中心、左から</translation>
-    </message>
-    <message>
-        <source>Middle, from above</source>
-        <translation>中心、上から</translation>
-    </message>
-    <message>
-        <source>Slope</source>
-        <translation>傾斜</translation>
-    </message>
-    <message>
-        <source>Ellipse</source>
-        <translation>楕円</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>幅</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高さ</translation>
-    </message>
-    <message>
-        <source>Turned by</source>
-        <translation>回転</translation>
-    </message>
-    <message>
-        <source>%1: %2 to %3%4</source>
-        <translation>%1: %2 ～ %3%4</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
@@ -10427,8 +11187,8 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>履歴が使っているメモリー。上限は「編集」メニューの「元に戻すためのメモリー」で決める</translation>
     </message>
     <message>
-        <source>%1 of %2 MiB</source>
-        <translation>%1 / %2 MiB</translation>
+        <source>%1 of %2 MB</source>
+        <translation>%1 / %2 MB</translation>
     </message>
 </context>
 <context>
@@ -10463,6 +11223,73 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     </message>
 </context>
 <context>
+    <name>pastoso::panels::LaidGuidePart</name>
+    <message>
+        <source>Guide</source>
+        <translation>ガイド</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Snapping strength</source>
+        <translation>スナップの強さ</translation>
+    </message>
+    <message>
+        <source>How far the guide draws the brush from where your hand is: 0 not at all, 100 all the way</source>
+        <translation>ガイドが筆を手の位置からどこまで引き寄せるか。0 は引き寄せず、100 は完全に引き寄せる</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>What guides your strokes</source>
+        <translation>ストロークを導くもの</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>定規</translation>
+    </message>
+    <message>
+        <source>Parallel ruler</source>
+        <translation>平行定規</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>楕円</translation>
+    </message>
+    <message>
+        <source>Concentric ellipse</source>
+        <translation>同心楕円</translation>
+    </message>
+    <message>
+        <source>1 point perspective</source>
+        <translation>1 点透視</translation>
+    </message>
+    <message>
+        <source>2 point perspective</source>
+        <translation>2 点透視</translation>
+    </message>
+    <message>
+        <source>3 point perspective</source>
+        <translation>3 点透視</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>グリッド</translation>
+    </message>
+    <message>
+        <source>Lies on the canvas</source>
+        <translation>キャンバス上</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::LayerModel</name>
     <message>
         <source>a group of %1</source>
@@ -10483,6 +11310,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>opacity %1 %</source>
         <translation>不透明度 %1 %</translation>
+    </message>
+    <message>
+        <source>what is bare is locked</source>
+        <translation>絵具のない部分はロック中</translation>
     </message>
 </context>
 <context>
@@ -11142,6 +11973,90 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
 </context>
 <context>
+    <name>pastoso::panels::ReferencePanel</name>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How strongly the chosen picture shows</source>
+        <translation>選んだ画像の見え方の強さ</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>Above the next picture (PgUp)</source>
+        <translation>次の画像の上へ (PgUp)</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>下へ</translation>
+    </message>
+    <message>
+        <source>Below the picture under it (PgDown)</source>
+        <translation>下の画像のさらに下へ (PgDown)</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>反転</translation>
+    </message>
+    <message>
+        <source>Left and right change sides</source>
+        <translation>左右を入れ替える</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>グレー</translation>
+    </message>
+    <message>
+        <source>Shown in greys as light as its colours</source>
+        <translation>色と同じ明るさのグレーで表示する</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>外す</translation>
+    </message>
+    <message>
+        <source>Take the chosen picture off the board (Del)</source>
+        <translation>選んだ画像をボードから外す (Del)</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::ReferenceView</name>
+    <message>
+        <source>Board of references</source>
+        <translation>参考画像のボード</translation>
+    </message>
+    <message>
+        <source>Drag: move a picture, scale it by a corner, turn it by the ring
+Control and click: paint of that colour
+Wheel: closer, farther; with Shift it turns the picture
+Double click, 0: all of it</source>
+        <translation>ドラッグ: 画像を動かす。角で拡大・縮小、輪で回転
+Ctrl+クリック: その色の絵具を作る
+ホイール: 近づく、離れる。Shift を押すと画像を回す
+ダブルクリック、0: 全体を表示</translation>
+    </message>
+    <message>
+        <source>pictures: %1</source>
+        <translation>画像: %1</translation>
+    </message>
+    <message>
+        <source>pictures: %1; chosen: %2</source>
+        <translation>画像: %1、選択中: %2</translation>
+    </message>
+    <message>
+        <source>Drag pictures here, to look at them and pick their colours while you paint.</source>
+        <translation>ここに画像をドラッグすると、描きながら見たり色を拾ったりできます。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
         <source>The pen&apos;s place on the canvas, from its upper left corner</source>
@@ -11200,14 +12115,6 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <translation>%1 倍速</translation>
     </message>
     <message>
-        <source>%1 MiB</source>
-        <translation>%1 MiB</translation>
-    </message>
-    <message>
-        <source>%1 GiB</source>
-        <translation>%1 GiB</translation>
-    </message>
-    <message>
         <source>%1 % selected</source>
         <translation>%1 % を選択中</translation>
     </message>
@@ -11222,6 +12129,14 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>paint moving, %1 % busy</source>
         <translation>絵具が動いています、負荷 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
     </message>
 </context>
 <context>
@@ -11324,7 +12239,7 @@ Drag: move the picture
     </message>
     <message>
         <source>All tubes</source>
-        <translation>すべてのチューブ</translation>
+        <translation>全チューブ</translation>
     </message>
     <message>
         <source>Save as a set...</source>
@@ -11341,6 +12256,18 @@ Drag: move the picture
     <message>
         <source>Squeeze these onto the mixing well</source>
         <translation>これらを混色皿に絞り出す</translation>
+    </message>
+    <message>
+        <source>Import sets...</source>
+        <translation>セットを読み込む...</translation>
+    </message>
+    <message>
+        <source>Export my sets...</source>
+        <translation>自分のセットを書き出す...</translation>
+    </message>
+    <message>
+        <source>Squeeze out the last painting&apos;s palette</source>
+        <translation>前の絵のパレットを絞り出す</translation>
     </message>
 </context>
 <context>
@@ -11677,6 +12604,14 @@ Drag: move the picture
     <message>
         <source>Canvas turned</source>
         <translation>キャンバスの回転</translation>
+    </message>
+    <message>
+        <source>Masking tape</source>
+        <translation>マスキングテープ</translation>
+    </message>
+    <message>
+        <source>Masking peeled off</source>
+        <translation>マスキングを剥がす</translation>
     </message>
 </context>
 </TS>

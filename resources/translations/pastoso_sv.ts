@@ -1698,10 +1698,6 @@
         <translation>innehåller en partikel vars tal inte är ändliga.</translation>
     </message>
     <message>
-        <source>holds a selection of another canvas than this one.</source>
-        <translation>innehåller en markering av en annan duk än den här.</translation>
-    </message>
-    <message>
         <source>holds a value of a cell that is not finite.</source>
         <translation>innehåller ett cellvärde som inte är ändligt.</translation>
     </message>
@@ -2068,10 +2064,6 @@
     <message>
         <source>seed of the brush</source>
         <translation>penselns frö</translation>
-    </message>
-    <message>
-        <source>selects nothing.</source>
-        <translation>markerar ingenting.</translation>
     </message>
     <message>
         <source>shadow softness in mm</source>
@@ -2829,6 +2821,198 @@
         <source>wheel of the pen</source>
         <translation>pennans hjul</translation>
     </message>
+    <message>
+        <source>a tag needs a name.</source>
+        <translation>en etikett behöver ett namn.</translation>
+    </message>
+    <message>
+        <source>corner that is distorted</source>
+        <translation>det hörn som förvrängs</translation>
+    </message>
+    <message>
+        <source>diameter of the grains</source>
+        <translation>kornens diameter</translation>
+    </message>
+    <message>
+        <source>direction of the grid&apos;s first lines</source>
+        <translation>riktningen på rutnätets första linjer</translation>
+    </message>
+    <message>
+        <source>direction of the grid&apos;s other lines</source>
+        <translation>riktningen på rutnätets andra linjer</translation>
+    </message>
+    <message>
+        <source>direction of the horizon</source>
+        <translation>horisontens riktning</translation>
+    </message>
+    <message>
+        <source>direction of the knife</source>
+        <translation>knivens riktning</translation>
+    </message>
+    <message>
+        <source>direction of uprights</source>
+        <translation>lodlinjernas riktning</translation>
+    </message>
+    <message>
+        <source>expected at most %1 references.</source>
+        <translation>högst %1 referenser väntades.</translation>
+    </message>
+    <message>
+        <source>first vanishing point</source>
+        <translation>första flyktpunkten</translation>
+    </message>
+    <message>
+        <source>grid&apos;s point</source>
+        <translation>rutnätets punkt</translation>
+    </message>
+    <message>
+        <source>height of the texture</source>
+        <translation>texturens höjd</translation>
+    </message>
+    <message>
+        <source>holds cells of another canvas than this one.</source>
+        <translation>innehåller celler från en annan duk än den här.</translation>
+    </message>
+    <message>
+        <source>holds no cell.</source>
+        <translation>innehåller ingen cell.</translation>
+    </message>
+    <message>
+        <source>length of a side of the distortion, times what it was,</source>
+        <translation>längden på en sida av förvrängningen, gånger vad den var,</translation>
+    </message>
+    <message>
+        <source>lower left corner of the distortion</source>
+        <translation>förvrängningens nedre vänstra hörn</translation>
+    </message>
+    <message>
+        <source>lower right corner of the distortion</source>
+        <translation>förvrängningens nedre högra hörn</translation>
+    </message>
+    <message>
+        <source>makes the references larger than any board holds.</source>
+        <translation>gör referenserna större än någon tavla rymmer.</translation>
+    </message>
+    <message>
+        <source>masking&apos;s point</source>
+        <translation>maskeringens punkt</translation>
+    </message>
+    <message>
+        <source>name of a reference</source>
+        <translation>namnet på en referens</translation>
+    </message>
+    <message>
+        <source>number of the masking&apos;s points</source>
+        <translation>antalet punkter i maskeringen</translation>
+    </message>
+    <message>
+        <source>number of the reference</source>
+        <translation>referensens nummer</translation>
+    </message>
+    <message>
+        <source>number of vanishing points</source>
+        <translation>antalet flyktpunkter</translation>
+    </message>
+    <message>
+        <source>opacity of the reference</source>
+        <translation>referensens opacitet</translation>
+    </message>
+    <message>
+        <source>position of the reference</source>
+        <translation>referensens plats</translation>
+    </message>
+    <message>
+        <source>second vanishing point</source>
+        <translation>andra flyktpunkten</translation>
+    </message>
+    <message>
+        <source>seed of the texture</source>
+        <translation>texturens frö</translation>
+    </message>
+    <message>
+        <source>size of what is distorted</source>
+        <translation>storleken på det som förvrängs</translation>
+    </message>
+    <message>
+        <source>spacing of the grid&apos;s first lines</source>
+        <translation>avståndet mellan rutnätets första linjer</translation>
+    </message>
+    <message>
+        <source>spacing of the grid&apos;s other lines</source>
+        <translation>avståndet mellan rutnätets andra linjer</translation>
+    </message>
+    <message>
+        <source>spacing of the ridges</source>
+        <translation>åsarnas avstånd</translation>
+    </message>
+    <message>
+        <source>strength of the guide</source>
+        <translation>hjälplinjens styrka</translation>
+    </message>
+    <message>
+        <source>the board holds %1 references, and no more are kept.</source>
+        <translation>tavlan har %1 referenser, och fler behålls inte.</translation>
+    </message>
+    <message>
+        <source>the corners of the distortion have to go round an area that bends outwards at each of them, by %1 degree or more.</source>
+        <translation>förvrängningens hörn måste gå runt en yta som böjer sig utåt i vart och ett av dem, med minst %1 grad.</translation>
+    </message>
+    <message>
+        <source>the name of a reference has %1 bytes, but at most %2 are kept.</source>
+        <translation>namnet på en referens har %1 byte, men högst %2 behålls.</translation>
+    </message>
+    <message>
+        <source>the number %1 has not been given yet.</source>
+        <translation>numret %1 har inte delats ut än.</translation>
+    </message>
+    <message>
+        <source>the references on the board are too large; at most %1 million pixels in all are kept.</source>
+        <translation>referenserna på tavlan är för stora; sammanlagt högst %1 miljoner pixlar behålls.</translation>
+    </message>
+    <message>
+        <source>there are two references %1.</source>
+        <translation>det finns två referenser %1.</translation>
+    </message>
+    <message>
+        <source>these are no corners of that mask.</source>
+        <translation>detta är inga hörn av den masken.</translation>
+    </message>
+    <message>
+        <source>third vanishing point</source>
+        <translation>tredje flyktpunkten</translation>
+    </message>
+    <message>
+        <source>turn of the canvas</source>
+        <translation>dukens vridning</translation>
+    </message>
+    <message>
+        <source>turn of the reference</source>
+        <translation>referensens vridning</translation>
+    </message>
+    <message>
+        <source>upper left corner of the distortion</source>
+        <translation>förvrängningens övre vänstra hörn</translation>
+    </message>
+    <message>
+        <source>upper right corner of the distortion</source>
+        <translation>förvrängningens övre högra hörn</translation>
+    </message>
+    <message>
+        <source>width of the masking</source>
+        <translation>maskeringens bredd</translation>
+    </message>
+    <message>
+        <source>width of the reference</source>
+        <translation>referensens bredd</translation>
+    </message>
+    <message>
+        <source>x of the reference</source>
+        <translation>referensens x</translation>
+    </message>
+    <message>
+        <source>y of the reference</source>
+        <translation>referensens y</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3359,6 +3543,14 @@
     <message>
         <source>%1 widths</source>
         <translation>%1 bredder</translation>
+    </message>
+    <message>
+        <source>What is bare is locked: tools change only what has paint. Click to unlock</source>
+        <translation>Det som är bart är låst: verktygen ändrar bara det som har färg. Klicka för att låsa upp</translation>
+    </message>
+    <message>
+        <source>Click to lock what is bare: tools change only what has paint</source>
+        <translation>Klicka för att låsa det som är bart: verktygen ändrar bara det som har färg</translation>
     </message>
 </context>
 <context>
@@ -4040,6 +4232,54 @@
         <source>0: levels the hollows that it reaches, 1: coats the grain alone.</source>
         <translation>0: jämnar ut de gropar den når, 1: täcker bara kornet.</translation>
     </message>
+    <message>
+        <source>How many squares of the paint&apos;s grid lie side by side in a millimetre, and pixels in the saved picture: more show finer hairs, and need more memory and time</source>
+        <translation>Hur många rutor av färgens rutnät som ligger bredvid varandra på en millimeter, och pixlar i den sparade bilden: fler visar finare strån, och kräver mer minne och tid</translation>
+    </message>
+    <message>
+        <source>What paint lies on, bare: linen, jute, cotton duck, a panel or a height image</source>
+        <translation>Det som färgen ligger på, obemålat: linne, jute, bomullsduk, en pannå eller en höjdbild</translation>
+    </message>
+    <message>
+        <source>How steeply the canvas stands, and where down is: wet paint runs there</source>
+        <translation>Hur brant duken står och var nedåt är: dit rinner våt färg</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands that lights the painting: a low one shows the relief, the heights of paint and canvas</source>
+        <translation>Var lampan står som lyser på målningen: en låg lampa visar reliefen, höjderna i färg och duk</translation>
+    </message>
+    <message>
+        <source>How many times as fast as by the clock wet paint becomes dry paint</source>
+        <translation>Hur många gånger snabbare än klockan våt färg blir torr färg</translation>
+    </message>
+    <message>
+        <source>What the brush holds from side to side of its tip, and how full it is of what it can hold</source>
+        <translation>Vad penseln håller från sida till sida av sin spets, och hur full den är av det den kan hålla</translation>
+    </message>
+    <message>
+        <source>What pigment is mixed with: it decides how stiff the paint is, how far it levels and how soon it dries</source>
+        <translation>Det som pigment blandas med: det avgör hur styv färgen är, hur långt den jämnar ut sig och hur snart den torkar</translation>
+    </message>
+    <message>
+        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
+        <translation>Hur en darrande hand stabiliseras, utöver penselns egen utjämning</translation>
+    </message>
+    <message>
+        <source>Hues that go together by their places on the wheel</source>
+        <translation>Kulörer som hör ihop genom sina platser på färghjulet</translation>
+    </message>
+    <message>
+        <source>A shape on the disc of hues that choosing on the wheel keeps to</source>
+        <translation>En form på kulörernas skiva som valet på färghjulet håller sig till</translation>
+    </message>
+    <message>
+        <source>The light that the painting is seen in: the same paint has other colours in another one</source>
+        <translation>Ljuset som målningen betraktas i: samma färg får andra kulörer i ett annat</translation>
+    </message>
+    <message>
+        <source>A clear coat over the whole painting that is looked through, and changes no paint</source>
+        <translation>Ett klart skikt över hela målningen som man ser igenom och som inte ändrar någon färg</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::commands</name>
@@ -4616,10 +4856,6 @@
         <translation>&amp;Inga hjälplinjer</translation>
     </message>
     <message>
-        <source>Take mirrors, copies, ruler and ellipse away</source>
-        <translation>Ta bort speglar, kopior, linjal och ellips</translation>
-    </message>
-    <message>
         <source>&amp;Trace a picture...</source>
         <translation>&amp;Kalkera en bild...</translation>
     </message>
@@ -4790,10 +5026,6 @@
     <message>
         <source>&amp;Guides panel</source>
         <translation>Hjälplinjepan&amp;el</translation>
-    </message>
-    <message>
-        <source>Mirrors, ruler and ellipse in millimetres</source>
-        <translation>Speglar, linjal och ellips i millimeter</translation>
     </message>
     <message>
         <source>&amp;Layers panel</source>
@@ -5767,6 +5999,158 @@
         <source>Three steps: paint, move the canvas, take other paint</source>
         <translation>Tre steg: måla, flytta duken, ta en annan färg</translation>
     </message>
+    <message>
+        <source>Rotate &amp;image...</source>
+        <translation>Rotera &amp;bilden...</translation>
+    </message>
+    <message>
+        <source>Turn the whole painting by any angle, to put a horizon straight</source>
+        <translation>Vrid hela målningen hur mycket som helst, till exempel så att en horisont blir rak</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture paste...</source>
+        <translation>Te&amp;xturpasta...</translation>
+    </message>
+    <message>
+        <source>Lay a dry relief of the paint in hand: sand, modelling paste, or a picture pressed in</source>
+        <translation>Lägg en torr relief av färgen i handen: sand, modelleringspasta eller en intryckt bild</translation>
+    </message>
+    <message>
+        <source>Lock &amp;what is bare</source>
+        <translation>Lås det som är &amp;bart</translation>
+    </message>
+    <message>
+        <source>Tools change the layer only where it has paint already</source>
+        <translation>Verktygen ändrar lagret bara där det redan har färg</translation>
+    </message>
+    <message>
+        <source>&amp;Masking fluid</source>
+        <translation>Ma&amp;skeringsvätska</translation>
+    </message>
+    <message>
+        <source>Paint a skin that no paint gets below, as wide as the tool in hand; Alt peels it off</source>
+        <translation>Måla en hinna som ingen färg tar sig in under, lika bred som verktyget i handen; Alt drar av den</translation>
+    </message>
+    <message>
+        <source>Masking &amp;tape</source>
+        <translation>Maskerings&amp;tejp</translation>
+    </message>
+    <message>
+        <source>Drag a strip with clean edges that no paint gets below; Alt peels it off</source>
+        <translation>Dra en remsa med rena kanter som ingen färg tar sig in under; Alt drar av den</translation>
+    </message>
+    <message>
+        <source>M&amp;ask the selection</source>
+        <translation>M&amp;askera markeringen</translation>
+    </message>
+    <message>
+        <source>Keep all paint off what is selected, until the masking is peeled off</source>
+        <translation>Håll all färg borta från det som är markerat, tills maskeringen dras av</translation>
+    </message>
+    <message>
+        <source>Select what is maske&amp;d</source>
+        <translation>Markera &amp;det maskerade</translation>
+    </message>
+    <message>
+        <source>Select all that masking fluid and tape cover</source>
+        <translation>Markera allt som maskeringsvätska och tejp täcker</translation>
+    </message>
+    <message>
+        <source>Peel off all mas&amp;king</source>
+        <translation>Dra av all mas&amp;kering</translation>
+    </message>
+    <message>
+        <source>Take all masking fluid and tape away; the paint below is as it was</source>
+        <translation>Ta bort all maskeringsvätska och tejp; färgen under är som den var</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel ruler</source>
+        <translation>&amp;Parallell linjal</translation>
+    </message>
+    <message>
+        <source>Strokes run parallel to the ruler from wherever they start</source>
+        <translation>Dragen löper parallellt med linjalen var de än börjar</translation>
+    </message>
+    <message>
+        <source>&amp;Concentric ellipse</source>
+        <translation>&amp;Koncentrisk ellips</translation>
+    </message>
+    <message>
+        <source>Strokes run round the same middle from wherever they start</source>
+        <translation>Dragen löper kring samma mittpunkt var de än börjar</translation>
+    </message>
+    <message>
+        <source>&amp;1 point perspective</source>
+        <translation>&amp;1-punktsperspektiv</translation>
+    </message>
+    <message>
+        <source>Strokes run to the vanishing point, level or upright</source>
+        <translation>Dragen löper mot flyktpunkten, vågrätt eller lodrätt</translation>
+    </message>
+    <message>
+        <source>&amp;2 point perspective</source>
+        <translation>&amp;2-punktsperspektiv</translation>
+    </message>
+    <message>
+        <source>Strokes run to one of two vanishing points, or upright</source>
+        <translation>Dragen löper mot en av två flyktpunkter, eller lodrätt</translation>
+    </message>
+    <message>
+        <source>&amp;3 point perspective</source>
+        <translation>&amp;3-punktsperspektiv</translation>
+    </message>
+    <message>
+        <source>Strokes run to one of three vanishing points</source>
+        <translation>Dragen löper mot en av tre flyktpunkter</translation>
+    </message>
+    <message>
+        <source>Gri&amp;d</source>
+        <translation>Rutnä&amp;t</translation>
+    </message>
+    <message>
+        <source>Strokes run along the lines of a grid, or beside them</source>
+        <translation>Dragen följer rutnätets linjer, eller löper bredvid dem</translation>
+    </message>
+    <message>
+        <source>Snap to the &amp;guide</source>
+        <translation>&amp;Fäst vid hjälplinjen</translation>
+    </message>
+    <message>
+        <source>Without it your hand is free, and the guide only shows where to go</source>
+        <translation>Utan den är handen fri, och hjälplinjen visar bara vägen</translation>
+    </message>
+    <message>
+        <source>Take mirrors, copies and the guide away</source>
+        <translation>Ta bort speglar, kopior och hjälplinjen</translation>
+    </message>
+    <message>
+        <source>&amp;Add reference pictures...</source>
+        <translation>&amp;Lägg till referensbilder...</translation>
+    </message>
+    <message>
+        <source>Lay pictures on the board of references, to look at and to pick colours from</source>
+        <translation>Lägg bilder på referenstavlan, att titta på och hämta kulörer från</translation>
+    </message>
+    <message>
+        <source>References in a &amp;window of their own</source>
+        <translation>Referenser i ett &amp;eget fönster</translation>
+    </message>
+    <message>
+        <source>The board of references above the canvas, or among the panels</source>
+        <translation>Referenstavlan ovanför duken, eller bland panelerna</translation>
+    </message>
+    <message>
+        <source>Mirrors, rulers, perspectives and grids in numbers</source>
+        <translation>Speglar, linjaler, perspektiv och rutnät i siffror</translation>
+    </message>
+    <message>
+        <source>Re&amp;ferences panel</source>
+        <translation>Re&amp;ferenspanel</translation>
+    </message>
+    <message>
+        <source>Pictures to look at while you paint, and to pick colours from</source>
+        <translation>Bilder att titta på medan du målar, och hämta kulörer från</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6356,8 +6740,8 @@
         <translation>Den här datorn hinner med handen upp till %1 px/mm; det som är målat kan målas om finare.</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
-        <translation>En bild på %1 × %2 pixlar, %3 dpi; upp till %4 MiB minne när allt är vått.</translation>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
+        <translation>En bild på %1 × %2 pixlar, %3 dpi; upp till %4 MB minne när allt är vått.</translation>
     </message>
 </context>
 <context>
@@ -6425,8 +6809,67 @@
         <translation>&amp;Pixlar per millimeter</translation>
     </message>
     <message>
-        <source>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 pixlar, som tar omkring %3 GiB minne; %4 GiB är lediga. Penseldragen målas om bredvid målningen på staffliet, som förblir som den är.</translation>
+        <source>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 pixlar, som tar omkring %3 GB minne; %4 GB är lediga. Penseldragen målas om bredvid målningen på staffliet, som förblir som den är.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::RotateDialog</name>
+    <message>
+        <source>&amp;Keep the size of the canvas</source>
+        <translation>&amp;Behåll dukens storlek</translation>
+    </message>
+    <message>
+        <source>Rotate the image</source>
+        <translation>Rotera bilden</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Clockwise, about the middle of the canvas</source>
+        <translation>Medurs, runt dukens mitt</translation>
+    </message>
+    <message>
+        <source>What comes beyond the canvas is wiped off</source>
+        <translation>Det som hamnar utanför duken torkas bort</translation>
+    </message>
+    <message>
+        <source>Put the &amp;ruler straight</source>
+        <translation>Räta upp efter &amp;linjalen</translation>
+    </message>
+    <message>
+        <source>Turns until the ruler is level or upright, whichever is nearer</source>
+        <translation>Vrider tills linjalen ligger vågrätt eller står lodrätt, vilket som är närmast</translation>
+    </message>
+    <message>
+        <source>Lay a ruler along the horizon first</source>
+        <translation>Lägg först en linjal längs horisonten</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Vrid</translation>
+    </message>
+    <message>
+        <source>The image stands like this.</source>
+        <translation>Bilden står redan så.</translation>
+    </message>
+    <message>
+        <source>A canvas of %1 × %2 mm.</source>
+        <translation>En duk på %1 × %2 mm.</translation>
+    </message>
+    <message>
+        <source>What comes beyond it is wiped off.</source>
+        <translation>Det som hamnar utanför den torkas bort.</translation>
+    </message>
+    <message>
+        <source>What is new in its corners is bare.</source>
+        <translation>Det som är nytt i hörnen är omålat.</translation>
+    </message>
+    <message>
+        <source>Paint keeps its thickness, and the cloth stays upright.</source>
+        <translation>Färgen behåller sin tjocklek, och väven förblir rak.</translation>
     </message>
 </context>
 <context>
@@ -6476,8 +6919,8 @@
         <translation>Bilden har den här storleken och upplösningen.</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
-        <translation>En bild på %1 × %2 pixlar, %3 dpi; upp till %4 MiB minne när allt är vått.</translation>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
+        <translation>En bild på %1 × %2 pixlar, %3 dpi; upp till %4 MB minne när allt är vått.</translation>
     </message>
 </context>
 <context>
@@ -6574,10 +7017,6 @@
         <translation>Ett annat språk gäller från nästa start.</translation>
     </message>
     <message>
-        <source> MiB</source>
-        <translation> MiB</translation>
-    </message>
-    <message>
         <source>Memory for undo</source>
         <translation>Ångraminne</translation>
     </message>
@@ -6600,10 +7039,6 @@
     <message>
         <source>All of the machine (%1)</source>
         <translation>Hela datorn (%1)</translation>
-    </message>
-    <message>
-        <source>Threads</source>
-        <translation>Trådar</translation>
     </message>
     <message>
         <source>How many things the program works on at once, from the next painting on. The paint flows the same with any number.</source>
@@ -6696,6 +7131,97 @@
         <source>Undo and saving</source>
         <translation>Ångra och spara</translation>
     </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Processors in use</source>
+        <translation>Processorer som används</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::TextureDialog</name>
+    <message>
+        <source>A&amp;nother</source>
+        <translation>En a&amp;nnan</translation>
+    </message>
+    <message>
+        <source>Texture paste</source>
+        <translation>Texturpasta</translation>
+    </message>
+    <message>
+        <source>A dry coat of the paint in hand lies on the layer that you paint on, where it is selected or all over. Brushes then catch on it.</source>
+        <translation>Ett torrt skikt av färgen i handen ligger på lagret som du målar på, där det är markerat eller överallt. Penslar fastnar sedan på det.</translation>
+    </message>
+    <message>
+        <source>Sand</source>
+        <translation>Sand</translation>
+    </message>
+    <message>
+        <source>Modelling paste</source>
+        <translation>Modelleringspasta</translation>
+    </message>
+    <message>
+        <source>A picture pressed in</source>
+        <translation>En intryckt bild</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Grains</source>
+        <translation>Korn</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
+    <message>
+        <source>Between ridges</source>
+        <translation>Mellan åsarna</translation>
+    </message>
+    <message>
+        <source>Other grains or other passes of the knife</source>
+        <translation>Andra korn eller andra drag med kniven</translation>
+    </message>
+    <message>
+        <source>Lay the paste</source>
+        <translation>Lägg pastan</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Which way the knife went: 0 to the right, 90 down</source>
+        <translation>Åt vilket håll kniven gick: 0 åt höger, 90 nedåt</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Riktning</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>What is &amp;dark stands up</source>
+        <translation>Det &amp;mörka står upp</translation>
+    </message>
+    <message>
+        <source>Picture to press in</source>
+        <translation>Bild att trycka in</translation>
+    </message>
+    <message>
+        <source>Choose a picture...</source>
+        <translation>Välj en bild...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
@@ -6774,6 +7300,14 @@
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
         <translation>Det som hamnar utanför duken torkas bort.</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl: a corner alone, or a side askew.</source>
+        <translation>Dra med Ctrl: ett hörn för sig, eller en sida på sned.</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Hörn</translation>
     </message>
 </context>
 <context>
@@ -6881,6 +7415,42 @@
     <message>
         <source>Ground toned</source>
         <translation>Grunden tonad</translation>
+    </message>
+    <message>
+        <source>Painting rotated</source>
+        <translation>Målningen roterad</translation>
+    </message>
+    <message>
+        <source>Masking fluid</source>
+        <translation>Maskeringsvätska</translation>
+    </message>
+    <message>
+        <source>Selection masked</source>
+        <translation>Markering maskerad</translation>
+    </message>
+    <message>
+        <source>Masking peeled off</source>
+        <translation>Maskering avdragen</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>Referensbild</translation>
+    </message>
+    <message>
+        <source>Place of a reference</source>
+        <translation>En referens läge</translation>
+    </message>
+    <message>
+        <source>Order of the references</source>
+        <translation>Referensernas ordning</translation>
+    </message>
+    <message>
+        <source>Reference taken away</source>
+        <translation>Referens borttagen</translation>
+    </message>
+    <message>
+        <source>Texture laid</source>
+        <translation>Textur lagd</translation>
     </message>
 </context>
 <context>
@@ -7656,10 +8226,6 @@
         <translation>Droppar som mjölken i nästa glas består av</translation>
     </message>
     <message>
-        <source>Cells a side</source>
-        <translation>Celler per sida</translation>
-    </message>
-    <message>
         <source>Drops of milk</source>
         <translation>Mjölkdroppar</translation>
     </message>
@@ -7702,6 +8268,10 @@
     <message>
         <source>The next glass</source>
         <translation>Nästa glas</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>Finhet</translation>
     </message>
 </context>
 <context>
@@ -7855,10 +8425,6 @@
         <translation>Ledigt minne</translation>
     </message>
     <message>
-        <source>%1 GiB</source>
-        <translation>%1 GiB</translation>
-    </message>
-    <message>
         <source>Windows by</source>
         <translation>Fönster via</translation>
     </message>
@@ -7893,14 +8459,6 @@
     <message>
         <source>Above, below</source>
         <translation>Uppe, nere</translation>
-    </message>
-    <message>
-        <source>Along the last stroke</source>
-        <translation>Längs senaste draget</translation>
-    </message>
-    <message>
-        <source>On the canvas</source>
-        <translation>På duken</translation>
     </message>
     <message>
         <source>Choose...</source>
@@ -8082,6 +8640,26 @@
         <source>Easel</source>
         <translation>Staffli</translation>
     </message>
+    <message>
+        <source>Snap</source>
+        <translation>Fäst</translation>
+    </message>
+    <message>
+        <source>Add...</source>
+        <translation>Lägg till...</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>Eget fönster</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Referenser</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -8180,6 +8758,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::BrushShelving</name>
+    <message>
+        <source>A tag needs a name.</source>
+        <translation>En etikett behöver ett namn.</translation>
+    </message>
+    <message>
+        <source>New tag</source>
+        <translation>Ny etikett</translation>
+    </message>
+    <message>
+        <source>Name of the tag:</source>
+        <translation>Etikettens namn:</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::CanvasSizing</name>
     <message>
         <source>A recording is being played; the canvas is yours when it has ended.</source>
@@ -8242,6 +8835,10 @@
     <message>
         <source>Leave it</source>
         <translation>Låt bli</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it beside the canvas, as a reference</source>
+        <translation>&amp;Ha den bredvid duken, som referens</translation>
     </message>
 </context>
 <context>
@@ -8474,12 +9071,12 @@
         <translation>Det finns ingen färg från det här lagret i markeringen.</translation>
     </message>
     <message>
-        <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</source>
-        <translation>Dra inuti för att flytta, i ett handtag för att skala, utanför för att vrida (Shift: stegvis). Enter verkställer, Esc avbryter.</translation>
-    </message>
-    <message>
         <source>The paint stays as it is.</source>
         <translation>Färgen förblir som den är.</translation>
+    </message>
+    <message>
+        <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</source>
+        <translation>Dra inuti för att flytta, i ett handtag för att skala, utanför för att vrida (Shift: stegvis), med Ctrl ett hörn eller en sida för sig. Enter verkställer, Esc avbryter.</translation>
     </message>
 </context>
 <context>
@@ -8513,6 +9110,37 @@
     <message>
         <source>Nothing would be left of the selection.</source>
         <translation>Inget av markeringen skulle bli kvar.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::MaskingCommands</name>
+    <message>
+        <source>Paint masking fluid, as wide as the tool in hand: no paint gets below it. Alt peels it off again; Esc, or taking a tool, goes back to painting.</source>
+        <translation>Måla maskeringsvätska, lika bred som verktyget i handen: ingen färg tar sig in under den. Alt drar av den igen; tryck Esc, eller ta ett verktyg, för att måla igen.</translation>
+    </message>
+    <message>
+        <source>Drag a strip of masking tape, as wide as the tool in hand; Shift keeps it level, upright or halfway. Alt peels it off again; Esc, or taking a tool, goes back to painting.</source>
+        <translation>Dra en remsa maskeringstejp, lika bred som verktyget i handen; Shift håller den vågrät, lodrät eller mitt emellan. Alt drar av den igen; tryck Esc, eller ta ett verktyg, för att måla igen.</translation>
+    </message>
+    <message>
+        <source>Nothing was masked. Esc again goes back to painting.</source>
+        <translation>Inget maskerades. Tryck Esc igen för att fortsätta måla.</translation>
+    </message>
+    <message>
+        <source>Peels the masking off there.</source>
+        <translation>Drar av maskeringen där.</translation>
+    </message>
+    <message>
+        <source>Masks the canvas there.</source>
+        <translation>Maskerar duken där.</translation>
+    </message>
+    <message>
+        <source>The brush paints again.</source>
+        <translation>Penseln målar igen.</translation>
+    </message>
+    <message>
+        <source>The masking is peeled off.</source>
+        <translation>Maskeringen är avdragen.</translation>
     </message>
 </context>
 <context>
@@ -8830,6 +9458,37 @@
     <message>
         <source>Nothing has been painted yet that could be shown again.</source>
         <translation>Ännu har inget målats som kan visas igen.</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ReferenceCommands</name>
+    <message>
+        <source>Add reference pictures</source>
+        <translation>Lägg till referensbilder</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Bilder (%1);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>bilden</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>There is no picture in it; save it as a file, and drag that here.</source>
+        <translation>Det finns ingen bild i det; spara den som en fil, och dra den hit.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Läser %1</translation>
+    </message>
+    <message>
+        <source>Picked from the reference: %1</source>
+        <translation>Hämtat från referensen: %1</translation>
     </message>
 </context>
 <context>
@@ -9196,6 +9855,29 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TextureCommands</name>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Bilder (%1);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Läser %1</translation>
+    </message>
+    <message>
+        <source>The paste lies on the whole canvas, dry.</source>
+        <translation>Pastan ligger på hela duken, torr.</translation>
+    </message>
+    <message>
+        <source>The paste lies where it is selected, dry.</source>
+        <translation>Pastan ligger där det är markerat, torr.</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>En inspelning spelas upp; färgen blir din igen när den är slut.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
@@ -9235,6 +9917,41 @@
     <message>
         <source>Type another name: that one is empty, or another set&apos;s.</source>
         <translation>Skriv ett annat namn: det är tomt, eller en annan sats.</translation>
+    </message>
+    <message>
+        <source>Export my sets of tubes</source>
+        <translation>Exportera mina tubsatser</translation>
+    </message>
+    <message>
+        <source>my-tubes.json</source>
+        <translation>mina-tuber.json</translation>
+    </message>
+    <message>
+        <source>Sets of tubes (*.json)</source>
+        <translation>Tubsatser (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Sparade %1.</translation>
+    </message>
+    <message>
+        <source>Import sets of tubes</source>
+        <translation>Importera tubsatser</translation>
+    </message>
+    <message>
+        <source>You have all sets of that file already.</source>
+        <translation>Du har redan alla satser i den filen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n set(s) added to your own.</source>
+        <translation>
+            <numerusform>%n sats lades till dina egna.</numerusform>
+            <numerusform>%n satser lades till dina egna.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No paint was squeezed out beside an earlier painting yet.</source>
+        <translation>Ingen färg har klämts ut vid en tidigare målning än.</translation>
     </message>
 </context>
 <context>
@@ -9893,6 +10610,86 @@
         <source>On the grain</source>
         <translation>På kornet</translation>
     </message>
+    <message>
+        <source>%1: %2 to %3%4</source>
+        <translation>%1: %2 till %3%4</translation>
+    </message>
+    <message>
+        <source>Middle, from the left</source>
+        <translation>Mitten, från vänster</translation>
+    </message>
+    <message>
+        <source>Middle, from above</source>
+        <translation>Mitten, uppifrån</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Lutning</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Vriden</translation>
+    </message>
+    <message>
+        <source>First point, from the left</source>
+        <translation>Första punkten, från vänster</translation>
+    </message>
+    <message>
+        <source>First point, from above</source>
+        <translation>Första punkten, uppifrån</translation>
+    </message>
+    <message>
+        <source>Second point, from the left</source>
+        <translation>Andra punkten, från vänster</translation>
+    </message>
+    <message>
+        <source>Second point, from above</source>
+        <translation>Andra punkten, uppifrån</translation>
+    </message>
+    <message>
+        <source>Third point, from the left</source>
+        <translation>Tredje punkten, från vänster</translation>
+    </message>
+    <message>
+        <source>Third point, from above</source>
+        <translation>Tredje punkten, uppifrån</translation>
+    </message>
+    <message>
+        <source>Slope of the horizon</source>
+        <translation>Horisontens lutning</translation>
+    </message>
+    <message>
+        <source>Crossing, from the left</source>
+        <translation>Korsningen, från vänster</translation>
+    </message>
+    <message>
+        <source>Crossing, from above</source>
+        <translation>Korsningen, uppifrån</translation>
+    </message>
+    <message>
+        <source>Slope of the first lines</source>
+        <translation>De första linjernas lutning</translation>
+    </message>
+    <message>
+        <source>Spacing of the first lines</source>
+        <translation>De första linjernas avstånd</translation>
+    </message>
+    <message>
+        <source>Slope of the others</source>
+        <translation>De andras lutning</translation>
+    </message>
+    <message>
+        <source>Spacing of the others</source>
+        <translation>De andras avstånd</translation>
+    </message>
+    <message>
+        <source>Snaps within</source>
+        <translation>Fäster inom</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::AidsPart</name>
@@ -10073,10 +10870,6 @@
         <translation>Hur handen stabiliseras</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
-        <translation>Hur en darrande hand stabiliseras, utöver penselns egen utjämning</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>av</translation>
     </message>
@@ -10111,6 +10904,14 @@
     <message>
         <source>Width of the brush&apos;s tip</source>
         <translation>Penselspetsens bredd</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Etiketter</translation>
+    </message>
+    <message>
+        <source>New tag...</source>
+        <translation>Ny etikett...</translation>
     </message>
 </context>
 <context>
@@ -10318,10 +11119,6 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
         <translation>Ljus</translation>
     </message>
     <message>
-        <source>Seen in</source>
-        <translation>Betraktas i</translation>
-    </message>
-    <message>
         <source>Drying</source>
         <translation>Torkning</translation>
     </message>
@@ -10383,42 +11180,6 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
         <source>Axis</source>
         <translation>Axel</translation>
     </message>
-    <message>
-        <source>Ruler</source>
-        <translation>Linjal</translation>
-    </message>
-    <message>
-        <source>Middle, from the left</source>
-        <translation>Mitten, från vänster</translation>
-    </message>
-    <message>
-        <source>Middle, from above</source>
-        <translation>Mitten, uppifrån</translation>
-    </message>
-    <message>
-        <source>Slope</source>
-        <translation>Lutning</translation>
-    </message>
-    <message>
-        <source>Ellipse</source>
-        <translation>Ellips</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Bredd</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höjd</translation>
-    </message>
-    <message>
-        <source>Turned by</source>
-        <translation>Vriden</translation>
-    </message>
-    <message>
-        <source>%1: %2 to %3%4</source>
-        <translation>%1: %2 till %3%4</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
@@ -10446,8 +11207,8 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
         <translation>Vad stegen tar; ”Ångraminne” i menyn Redigera anger hur mycket de får ta</translation>
     </message>
     <message>
-        <source>%1 of %2 MiB</source>
-        <translation>%1 av %2 MiB</translation>
+        <source>%1 of %2 MB</source>
+        <translation>%1 av %2 MB</translation>
     </message>
 </context>
 <context>
@@ -10482,6 +11243,73 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
     </message>
 </context>
 <context>
+    <name>pastoso::panels::LaidGuidePart</name>
+    <message>
+        <source>Guide</source>
+        <translation>Hjälplinje</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Snapping strength</source>
+        <translation>Fäststyrka</translation>
+    </message>
+    <message>
+        <source>How far the guide draws the brush from where your hand is: 0 not at all, 100 all the way</source>
+        <translation>Hur långt hjälplinjen drar penseln från handens plats: 0 inte alls, 100 hela vägen</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>What guides your strokes</source>
+        <translation>Vad som styr dina drag</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Linjal</translation>
+    </message>
+    <message>
+        <source>Parallel ruler</source>
+        <translation>Parallell linjal</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellips</translation>
+    </message>
+    <message>
+        <source>Concentric ellipse</source>
+        <translation>Koncentrisk ellips</translation>
+    </message>
+    <message>
+        <source>1 point perspective</source>
+        <translation>1-punktsperspektiv</translation>
+    </message>
+    <message>
+        <source>2 point perspective</source>
+        <translation>2-punktsperspektiv</translation>
+    </message>
+    <message>
+        <source>3 point perspective</source>
+        <translation>3-punktsperspektiv</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Rutnät</translation>
+    </message>
+    <message>
+        <source>Lies on the canvas</source>
+        <translation>Ligger på duken</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::LayerModel</name>
     <message>
         <source>a group of %1</source>
@@ -10502,6 +11330,10 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
     <message>
         <source>opacity %1 %</source>
         <translation>opacitet %1 %</translation>
+    </message>
+    <message>
+        <source>what is bare is locked</source>
+        <translation>det som är bart är låst</translation>
     </message>
 </context>
 <context>
@@ -11161,6 +11993,90 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
     </message>
 </context>
 <context>
+    <name>pastoso::panels::ReferencePanel</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacitet</translation>
+    </message>
+    <message>
+        <source>How strongly the chosen picture shows</source>
+        <translation>Hur starkt den valda bilden syns</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>Höj</translation>
+    </message>
+    <message>
+        <source>Above the next picture (PgUp)</source>
+        <translation>Över nästa bild (PgUp)</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Sänk</translation>
+    </message>
+    <message>
+        <source>Below the picture under it (PgDown)</source>
+        <translation>Under bilden där under (PgDown)</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spegla</translation>
+    </message>
+    <message>
+        <source>Left and right change sides</source>
+        <translation>Vänster och höger byter plats</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>Gråtoner</translation>
+    </message>
+    <message>
+        <source>Shown in greys as light as its colours</source>
+        <translation>Visas i gråtoner lika ljusa som dess kulörer</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Take the chosen picture off the board (Del)</source>
+        <translation>Ta bort den valda bilden från tavlan (Del)</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::ReferenceView</name>
+    <message>
+        <source>Board of references</source>
+        <translation>Referenstavla</translation>
+    </message>
+    <message>
+        <source>Drag: move a picture, scale it by a corner, turn it by the ring
+Control and click: paint of that colour
+Wheel: closer, farther; with Shift it turns the picture
+Double click, 0: all of it</source>
+        <translation>Dra: flytta en bild, skala den i ett hörn, vrid den i ringen
+Ctrl och klick: färg i den kulören
+Hjulet: närmare, längre bort; med Skift vrids bilden
+Dubbelklick, 0: hela tavlan</translation>
+    </message>
+    <message>
+        <source>pictures: %1</source>
+        <translation>bilder: %1</translation>
+    </message>
+    <message>
+        <source>pictures: %1; chosen: %2</source>
+        <translation>bilder: %1; vald: %2</translation>
+    </message>
+    <message>
+        <source>Drag pictures here, to look at them and pick their colours while you paint.</source>
+        <translation>Dra hit bilder, att titta på och hämta kulörer från medan du målar.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
         <source>The pen&apos;s place on the canvas, from its upper left corner</source>
@@ -11219,14 +12135,6 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
         <translation>%1 × tiden</translation>
     </message>
     <message>
-        <source>%1 MiB</source>
-        <translation>%1 MiB</translation>
-    </message>
-    <message>
-        <source>%1 GiB</source>
-        <translation>%1 GiB</translation>
-    </message>
-    <message>
         <source>%1 % selected</source>
         <translation>%1 % markerat</translation>
     </message>
@@ -11241,6 +12149,14 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
     <message>
         <source>paint moving, %1 % busy</source>
         <translation>färgen rör sig, %1 % upptagen</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
     </message>
 </context>
 <context>
@@ -11360,6 +12276,18 @@ Dra: flytta bilden
     <message>
         <source>Squeeze these onto the mixing well</source>
         <translation>Kläm ut dessa på blandningsytan</translation>
+    </message>
+    <message>
+        <source>Import sets...</source>
+        <translation>Importera satser...</translation>
+    </message>
+    <message>
+        <source>Export my sets...</source>
+        <translation>Exportera mina satser...</translation>
+    </message>
+    <message>
+        <source>Squeeze out the last painting&apos;s palette</source>
+        <translation>Kläm ut den förra målningens palett</translation>
     </message>
 </context>
 <context>
@@ -11696,6 +12624,14 @@ Dra: flytta bilden
     <message>
         <source>Canvas turned</source>
         <translation>Duken vriden</translation>
+    </message>
+    <message>
+        <source>Masking tape</source>
+        <translation>Maskeringstejp</translation>
+    </message>
+    <message>
+        <source>Masking peeled off</source>
+        <translation>Maskering avdragen</translation>
     </message>
 </context>
 </TS>

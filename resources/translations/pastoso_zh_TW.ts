@@ -1698,10 +1698,6 @@
         <translation>含有數值不是有限值的粒子。</translation>
     </message>
     <message>
-        <source>holds a selection of another canvas than this one.</source>
-        <translation>含有另一張畫布的選取範圍。</translation>
-    </message>
-    <message>
         <source>holds a value of a cell that is not finite.</source>
         <translation>有一格的值不是有限值。</translation>
     </message>
@@ -2068,10 +2064,6 @@
     <message>
         <source>seed of the brush</source>
         <translation>筆刷的種子</translation>
-    </message>
-    <message>
-        <source>selects nothing.</source>
-        <translation>沒有選取任何部分。</translation>
     </message>
     <message>
         <source>shadow softness in mm</source>
@@ -2829,6 +2821,198 @@
         <source>wheel of the pen</source>
         <translation>筆的滾輪</translation>
     </message>
+    <message>
+        <source>a tag needs a name.</source>
+        <translation>標籤需要名稱。</translation>
+    </message>
+    <message>
+        <source>corner that is distorted</source>
+        <translation>要變形範圍的角</translation>
+    </message>
+    <message>
+        <source>diameter of the grains</source>
+        <translation>顆粒的直徑</translation>
+    </message>
+    <message>
+        <source>direction of the grid&apos;s first lines</source>
+        <translation>格線第一組線的方向</translation>
+    </message>
+    <message>
+        <source>direction of the grid&apos;s other lines</source>
+        <translation>格線另一組線的方向</translation>
+    </message>
+    <message>
+        <source>direction of the horizon</source>
+        <translation>地平線的方向</translation>
+    </message>
+    <message>
+        <source>direction of the knife</source>
+        <translation>畫刀的方向</translation>
+    </message>
+    <message>
+        <source>direction of uprights</source>
+        <translation>垂直線的方向</translation>
+    </message>
+    <message>
+        <source>expected at most %1 references.</source>
+        <translation>參考圖片最多應為 %1 張。</translation>
+    </message>
+    <message>
+        <source>first vanishing point</source>
+        <translation>第一消失點</translation>
+    </message>
+    <message>
+        <source>grid&apos;s point</source>
+        <translation>格線的點</translation>
+    </message>
+    <message>
+        <source>height of the texture</source>
+        <translation>肌理的高度</translation>
+    </message>
+    <message>
+        <source>holds cells of another canvas than this one.</source>
+        <translation>含有另一張畫布的格子。</translation>
+    </message>
+    <message>
+        <source>holds no cell.</source>
+        <translation>沒有任何格子。</translation>
+    </message>
+    <message>
+        <source>length of a side of the distortion, times what it was,</source>
+        <translation>變形後一邊的長度（相對於原長的倍數）</translation>
+    </message>
+    <message>
+        <source>lower left corner of the distortion</source>
+        <translation>變形的左下角</translation>
+    </message>
+    <message>
+        <source>lower right corner of the distortion</source>
+        <translation>變形的右下角</translation>
+    </message>
+    <message>
+        <source>makes the references larger than any board holds.</source>
+        <translation>使參考圖片超出圖板的容量。</translation>
+    </message>
+    <message>
+        <source>masking&apos;s point</source>
+        <translation>遮蓋的點</translation>
+    </message>
+    <message>
+        <source>name of a reference</source>
+        <translation>參考圖片的名稱</translation>
+    </message>
+    <message>
+        <source>number of the masking&apos;s points</source>
+        <translation>遮蓋的點數</translation>
+    </message>
+    <message>
+        <source>number of the reference</source>
+        <translation>參考圖片的編號</translation>
+    </message>
+    <message>
+        <source>number of vanishing points</source>
+        <translation>消失點的數目</translation>
+    </message>
+    <message>
+        <source>opacity of the reference</source>
+        <translation>參考圖片的不透明度</translation>
+    </message>
+    <message>
+        <source>position of the reference</source>
+        <translation>參考圖片的次序</translation>
+    </message>
+    <message>
+        <source>second vanishing point</source>
+        <translation>第二消失點</translation>
+    </message>
+    <message>
+        <source>seed of the texture</source>
+        <translation>肌理的種子</translation>
+    </message>
+    <message>
+        <source>size of what is distorted</source>
+        <translation>要變形範圍的尺寸</translation>
+    </message>
+    <message>
+        <source>spacing of the grid&apos;s first lines</source>
+        <translation>格線第一組線的間距</translation>
+    </message>
+    <message>
+        <source>spacing of the grid&apos;s other lines</source>
+        <translation>格線另一組線的間距</translation>
+    </message>
+    <message>
+        <source>spacing of the ridges</source>
+        <translation>脊線的間距</translation>
+    </message>
+    <message>
+        <source>strength of the guide</source>
+        <translation>輔助線的強度</translation>
+    </message>
+    <message>
+        <source>the board holds %1 references, and no more are kept.</source>
+        <translation>圖板上已有 %1 張參考圖片，無法再加入。</translation>
+    </message>
+    <message>
+        <source>the corners of the distortion have to go round an area that bends outwards at each of them, by %1 degree or more.</source>
+        <translation>變形的四角必須圍成每個角都向外彎折至少 %1 度的區域。</translation>
+    </message>
+    <message>
+        <source>the name of a reference has %1 bytes, but at most %2 are kept.</source>
+        <translation>參考圖片的名稱有 %1 個位元組，但最多只保留 %2 個。</translation>
+    </message>
+    <message>
+        <source>the number %1 has not been given yet.</source>
+        <translation>編號 %1 尚未分配。</translation>
+    </message>
+    <message>
+        <source>the references on the board are too large; at most %1 million pixels in all are kept.</source>
+        <translation>圖板上的參考圖片太大；總共最多保留 %1 百萬像素。</translation>
+    </message>
+    <message>
+        <source>there are two references %1.</source>
+        <translation>有兩張編號 %1 的參考圖片。</translation>
+    </message>
+    <message>
+        <source>these are no corners of that mask.</source>
+        <translation>這些不是該遮罩的角。</translation>
+    </message>
+    <message>
+        <source>third vanishing point</source>
+        <translation>第三消失點</translation>
+    </message>
+    <message>
+        <source>turn of the canvas</source>
+        <translation>畫布的旋轉角度</translation>
+    </message>
+    <message>
+        <source>turn of the reference</source>
+        <translation>參考圖片的旋轉</translation>
+    </message>
+    <message>
+        <source>upper left corner of the distortion</source>
+        <translation>變形的左上角</translation>
+    </message>
+    <message>
+        <source>upper right corner of the distortion</source>
+        <translation>變形的右上角</translation>
+    </message>
+    <message>
+        <source>width of the masking</source>
+        <translation>遮蓋的寬度</translation>
+    </message>
+    <message>
+        <source>width of the reference</source>
+        <translation>參考圖片的寬度</translation>
+    </message>
+    <message>
+        <source>x of the reference</source>
+        <translation>參考圖片的 x</translation>
+    </message>
+    <message>
+        <source>y of the reference</source>
+        <translation>參考圖片的 y</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3359,6 +3543,14 @@
     <message>
         <source>%1 widths</source>
         <translation>%1 個筆寬</translation>
+    </message>
+    <message>
+        <source>What is bare is locked: tools change only what has paint. Click to unlock</source>
+        <translation>空白處已鎖定：工具只改變有顏料的地方。按一下可解除鎖定</translation>
+    </message>
+    <message>
+        <source>Click to lock what is bare: tools change only what has paint</source>
+        <translation>按一下可鎖定空白處：工具只改變有顏料的地方</translation>
     </message>
 </context>
 <context>
@@ -4040,6 +4232,54 @@
         <source>0: levels the hollows that it reaches, 1: coats the grain alone.</source>
         <translation>0：填平所及的凹處；1：只覆在紋理凸處。</translation>
     </message>
+    <message>
+        <source>How many squares of the paint&apos;s grid lie side by side in a millimetre, and pixels in the saved picture: more show finer hairs, and need more memory and time</source>
+        <translation>每毫米並排的顏料格數，也是存成圖片時的像素數：越多，筆毛越細緻，但需要更多記憶體和時間</translation>
+    </message>
+    <message>
+        <source>What paint lies on, bare: linen, jute, cotton duck, a panel or a height image</source>
+        <translation>顏料之下的素底：亞麻布、黃麻布、棉帆布、畫板或高度圖</translation>
+    </message>
+    <message>
+        <source>How steeply the canvas stands, and where down is: wet paint runs there</source>
+        <translation>畫布立得多陡，以及哪邊是下方：濕顏料會往那裡流</translation>
+    </message>
+    <message>
+        <source>Where the lamp stands that lights the painting: a low one shows the relief, the heights of paint and canvas</source>
+        <translation>照亮畫作的燈的位置：燈越低，越能看出顏料和畫布的起伏</translation>
+    </message>
+    <message>
+        <source>How many times as fast as by the clock wet paint becomes dry paint</source>
+        <translation>濕顏料變乾的速度是時鐘的幾倍</translation>
+    </message>
+    <message>
+        <source>What the brush holds from side to side of its tip, and how full it is of what it can hold</source>
+        <translation>筆刷尖端從一側到另一側所含的顏料，以及占可含量的多少</translation>
+    </message>
+    <message>
+        <source>What pigment is mixed with: it decides how stiff the paint is, how far it levels and how soon it dries</source>
+        <translation>與色料混合的東西：決定顏料有多硬、能流平多少、多快乾</translation>
+    </message>
+    <message>
+        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
+        <translation>在筆刷本身的平滑之外，另外修正手的抖動</translation>
+    </message>
+    <message>
+        <source>Hues that go together by their places on the wheel</source>
+        <translation>依色環上的位置彼此相配的色相</translation>
+    </message>
+    <message>
+        <source>A shape on the disc of hues that choosing on the wheel keeps to</source>
+        <translation>色相圓盤上的形狀，在色環上選色時會保持在其中</translation>
+    </message>
+    <message>
+        <source>The light that the painting is seen in: the same paint has other colours in another one</source>
+        <translation>觀看畫作的光：同樣的顏料在別的光下顏色不同</translation>
+    </message>
+    <message>
+        <source>A clear coat over the whole painting that is looked through, and changes no paint</source>
+        <translation>覆蓋整幅畫的透明塗層，隔著它看，不改變任何顏料</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::commands</name>
@@ -4616,10 +4856,6 @@
         <translation>移除輔助線(&amp;N)</translation>
     </message>
     <message>
-        <source>Take mirrors, copies, ruler and ellipse away</source>
-        <translation>移除鏡像、環繞份數、直尺和橢圓</translation>
-    </message>
-    <message>
         <source>&amp;Trace a picture...</source>
         <translation>描圖(&amp;T)...</translation>
     </message>
@@ -4790,10 +5026,6 @@
     <message>
         <source>&amp;Guides panel</source>
         <translation>輔助線面板(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Mirrors, ruler and ellipse in millimetres</source>
-        <translation>以公釐設定鏡像、直尺和橢圓</translation>
     </message>
     <message>
         <source>&amp;Layers panel</source>
@@ -5767,6 +5999,158 @@
         <source>Three steps: paint, move the canvas, take other paint</source>
         <translation>三個步驟：作畫、移動畫布、換顏料</translation>
     </message>
+    <message>
+        <source>Rotate &amp;image...</source>
+        <translation>旋轉影像(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>Turn the whole painting by any angle, to put a horizon straight</source>
+        <translation>將整幅畫旋轉任意角度，例如把地平線擺正</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture paste...</source>
+        <translation>肌理膏(&amp;X)...</translation>
+    </message>
+    <message>
+        <source>Lay a dry relief of the paint in hand: sand, modelling paste, or a picture pressed in</source>
+        <translation>用手上的顏料鋪一層乾的浮雕：砂、塑型膏，或壓印的圖片</translation>
+    </message>
+    <message>
+        <source>Lock &amp;what is bare</source>
+        <translation>鎖定空白處(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Tools change the layer only where it has paint already</source>
+        <translation>工具只改變圖層上已有顏料的地方</translation>
+    </message>
+    <message>
+        <source>&amp;Masking fluid</source>
+        <translation>遮蓋液(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Paint a skin that no paint gets below, as wide as the tool in hand; Alt peels it off</source>
+        <translation>畫上一層顏料滲不進去的膜，和手上的工具一樣寬；Alt 可撕掉</translation>
+    </message>
+    <message>
+        <source>Masking &amp;tape</source>
+        <translation>遮蓋膠帶(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Drag a strip with clean edges that no paint gets below; Alt peels it off</source>
+        <translation>拖曳貼上邊緣俐落、顏料滲不進去的膠帶；Alt 可撕掉</translation>
+    </message>
+    <message>
+        <source>M&amp;ask the selection</source>
+        <translation>遮蓋選取範圍(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Keep all paint off what is selected, until the masking is peeled off</source>
+        <translation>在撕掉遮蓋之前，讓選取的部分沾不到任何顏料</translation>
+    </message>
+    <message>
+        <source>Select what is maske&amp;d</source>
+        <translation>選取被遮蓋的部分(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Select all that masking fluid and tape cover</source>
+        <translation>選取遮蓋液和膠帶蓋住的所有部分</translation>
+    </message>
+    <message>
+        <source>Peel off all mas&amp;king</source>
+        <translation>撕掉所有遮蓋(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Take all masking fluid and tape away; the paint below is as it was</source>
+        <translation>拿掉所有遮蓋液和膠帶；底下的顏料保持原樣</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel ruler</source>
+        <translation>平行直尺(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Strokes run parallel to the ruler from wherever they start</source>
+        <translation>筆觸不論從哪裡開始，都與直尺平行</translation>
+    </message>
+    <message>
+        <source>&amp;Concentric ellipse</source>
+        <translation>同心橢圓(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Strokes run round the same middle from wherever they start</source>
+        <translation>筆觸不論從哪裡開始，都繞著同一個中心走</translation>
+    </message>
+    <message>
+        <source>&amp;1 point perspective</source>
+        <translation>一點透視(&amp;1)</translation>
+    </message>
+    <message>
+        <source>Strokes run to the vanishing point, level or upright</source>
+        <translation>筆觸朝向消失點，或呈水平或垂直</translation>
+    </message>
+    <message>
+        <source>&amp;2 point perspective</source>
+        <translation>兩點透視(&amp;2)</translation>
+    </message>
+    <message>
+        <source>Strokes run to one of two vanishing points, or upright</source>
+        <translation>筆觸朝向兩個消失點之一，或呈垂直</translation>
+    </message>
+    <message>
+        <source>&amp;3 point perspective</source>
+        <translation>三點透視(&amp;3)</translation>
+    </message>
+    <message>
+        <source>Strokes run to one of three vanishing points</source>
+        <translation>筆觸朝向三個消失點之一</translation>
+    </message>
+    <message>
+        <source>Gri&amp;d</source>
+        <translation>格線(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Strokes run along the lines of a grid, or beside them</source>
+        <translation>筆觸沿著格線走，或在格線旁平行</translation>
+    </message>
+    <message>
+        <source>Snap to the &amp;guide</source>
+        <translation>貼齊輔助線(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Without it your hand is free, and the guide only shows where to go</source>
+        <translation>關閉時手不受限制，輔助線只供參考</translation>
+    </message>
+    <message>
+        <source>Take mirrors, copies and the guide away</source>
+        <translation>移除鏡像、環繞份數和輔助線</translation>
+    </message>
+    <message>
+        <source>&amp;Add reference pictures...</source>
+        <translation>加入參考圖片(&amp;A)...</translation>
+    </message>
+    <message>
+        <source>Lay pictures on the board of references, to look at and to pick colours from</source>
+        <translation>把圖片放上參考圖板，可供觀察和取色</translation>
+    </message>
+    <message>
+        <source>References in a &amp;window of their own</source>
+        <translation>參考圖片用獨立視窗(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The board of references above the canvas, or among the panels</source>
+        <translation>參考圖板浮在畫布上方，或放在面板之中</translation>
+    </message>
+    <message>
+        <source>Mirrors, rulers, perspectives and grids in numbers</source>
+        <translation>以數值設定鏡像、直尺、透視和格線</translation>
+    </message>
+    <message>
+        <source>Re&amp;ferences panel</source>
+        <translation>參考圖片面板(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Pictures to look at while you paint, and to pick colours from</source>
+        <translation>作畫時可供觀察和取色的圖片</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6355,8 +6739,8 @@
         <translation>這台電腦在 %1 px/mm 以內跟得上手的速度；畫好的可以再重新繪製得更細。</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
-        <translation>%1 × %2 像素、%3 dpi 的圖片；全部都是濕顏料時，最多占用 %4 MiB 記憶體。</translation>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
+        <translation>%1 × %2 像素、%3 dpi 的圖片；全部都是濕顏料時，最多占用 %4 MB 記憶體。</translation>
     </message>
 </context>
 <context>
@@ -6421,8 +6805,67 @@
         <translation>每公釐像素數(&amp;P)</translation>
     </message>
     <message>
-        <source>%1 × %2 pixels, which take about %3 GiB of memory; %4 GiB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
-        <translation>%1 × %2 像素，約需要 %3 GiB 記憶體；可用 %4 GiB。筆觸會另外重新繪製，畫架上的畫保持不變。</translation>
+        <source>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
+        <translation>%1 × %2 像素，約需要 %3 GB 記憶體；可用 %4 GB。筆觸會另外重新繪製，畫架上的畫保持不變。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::RotateDialog</name>
+    <message>
+        <source>&amp;Keep the size of the canvas</source>
+        <translation>維持畫布尺寸(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Rotate the image</source>
+        <translation>旋轉影像</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Clockwise, about the middle of the canvas</source>
+        <translation>繞畫布中心順時針旋轉</translation>
+    </message>
+    <message>
+        <source>What comes beyond the canvas is wiped off</source>
+        <translation>超出畫布的部分會被擦掉</translation>
+    </message>
+    <message>
+        <source>Put the &amp;ruler straight</source>
+        <translation>把直尺擺正(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Turns until the ruler is level or upright, whichever is nearer</source>
+        <translation>旋轉到直尺變成水平或垂直，取較近者</translation>
+    </message>
+    <message>
+        <source>Lay a ruler along the horizon first</source>
+        <translation>請先沿地平線放一把直尺</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>旋轉</translation>
+    </message>
+    <message>
+        <source>The image stands like this.</source>
+        <translation>影像已經是這個方向。</translation>
+    </message>
+    <message>
+        <source>A canvas of %1 × %2 mm.</source>
+        <translation>畫布為 %1 × %2 mm。</translation>
+    </message>
+    <message>
+        <source>What comes beyond it is wiped off.</source>
+        <translation>超出的部分會被擦掉。</translation>
+    </message>
+    <message>
+        <source>What is new in its corners is bare.</source>
+        <translation>四角新增的部分是空白的。</translation>
+    </message>
+    <message>
+        <source>Paint keeps its thickness, and the cloth stays upright.</source>
+        <translation>顏料厚度不變，畫布的織紋保持端正。</translation>
     </message>
 </context>
 <context>
@@ -6472,8 +6915,8 @@
         <translation>圖片已經是這個尺寸和解析度。</translation>
     </message>
     <message>
-        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MiB of memory when all of it is wet.</source>
-        <translation>%1 × %2 像素、%3 dpi 的圖片；全部都是濕顏料時，最多占用 %4 MiB 記憶體。</translation>
+        <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
+        <translation>%1 × %2 像素、%3 dpi 的圖片；全部都是濕顏料時，最多占用 %4 MB 記憶體。</translation>
     </message>
 </context>
 <context>
@@ -6570,10 +7013,6 @@
         <translation>下次啟動後會改用新的語言。</translation>
     </message>
     <message>
-        <source> MiB</source>
-        <translation> MiB</translation>
-    </message>
-    <message>
         <source>Memory for undo</source>
         <translation>復原記憶體</translation>
     </message>
@@ -6596,10 +7035,6 @@
     <message>
         <source>All of the machine (%1)</source>
         <translation>電腦的全部資源 (%1)</translation>
-    </message>
-    <message>
-        <source>Threads</source>
-        <translation>執行緒</translation>
     </message>
     <message>
         <source>How many things the program works on at once, from the next painting on. The paint flows the same with any number.</source>
@@ -6691,6 +7126,97 @@
         <source>Undo and saving</source>
         <translation>復原與儲存</translation>
     </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Processors in use</source>
+        <translation>使用的處理器數</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::TextureDialog</name>
+    <message>
+        <source>A&amp;nother</source>
+        <translation>換一種(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Texture paste</source>
+        <translation>肌理膏</translation>
+    </message>
+    <message>
+        <source>A dry coat of the paint in hand lies on the layer that you paint on, where it is selected or all over. Brushes then catch on it.</source>
+        <translation>手上顏料的乾層會鋪在正在畫的圖層上，只在選取範圍或整張畫布；之後筆刷會在上面刮擦著色。</translation>
+    </message>
+    <message>
+        <source>Sand</source>
+        <translation>砂</translation>
+    </message>
+    <message>
+        <source>Modelling paste</source>
+        <translation>塑型膏</translation>
+    </message>
+    <message>
+        <source>A picture pressed in</source>
+        <translation>壓印的圖片</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>肌理</translation>
+    </message>
+    <message>
+        <source>Grains</source>
+        <translation>顆粒</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Between ridges</source>
+        <translation>脊線間距</translation>
+    </message>
+    <message>
+        <source>Other grains or other passes of the knife</source>
+        <translation>換另一批顆粒或另一組刀痕</translation>
+    </message>
+    <message>
+        <source>Lay the paste</source>
+        <translation>鋪上肌理膏</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Which way the knife went: 0 to the right, 90 down</source>
+        <translation>畫刀移動的方向：0 為向右，90 為向下</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>圖片</translation>
+    </message>
+    <message>
+        <source>What is &amp;dark stands up</source>
+        <translation>暗處凸起(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Picture to press in</source>
+        <translation>要壓印的圖片</translation>
+    </message>
+    <message>
+        <source>Choose a picture...</source>
+        <translation>選擇圖片...</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::TransformDialog</name>
@@ -6769,6 +7295,14 @@
     <message>
         <source>What comes beyond the canvas is wiped off.</source>
         <translation>超出畫布的部分會被擦掉。</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl: a corner alone, or a side askew.</source>
+        <translation>按住 Ctrl 拖曳：單獨移動一個角，或讓一邊傾斜。</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>四角</translation>
     </message>
 </context>
 <context>
@@ -6876,6 +7410,42 @@
     <message>
         <source>Ground toned</source>
         <translation>已鋪有色底</translation>
+    </message>
+    <message>
+        <source>Painting rotated</source>
+        <translation>整幅畫已旋轉</translation>
+    </message>
+    <message>
+        <source>Masking fluid</source>
+        <translation>遮蓋液</translation>
+    </message>
+    <message>
+        <source>Selection masked</source>
+        <translation>選取範圍已遮蓋</translation>
+    </message>
+    <message>
+        <source>Masking peeled off</source>
+        <translation>撕掉遮蓋</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>參考圖片</translation>
+    </message>
+    <message>
+        <source>Place of a reference</source>
+        <translation>參考圖片的位置</translation>
+    </message>
+    <message>
+        <source>Order of the references</source>
+        <translation>參考圖片的順序</translation>
+    </message>
+    <message>
+        <source>Reference taken away</source>
+        <translation>移除參考圖片</translation>
+    </message>
+    <message>
+        <source>Texture laid</source>
+        <translation>已鋪肌理</translation>
     </message>
 </context>
 <context>
@@ -7648,10 +8218,6 @@
         <translation>組成下一杯牛奶的奶滴數</translation>
     </message>
     <message>
-        <source>Cells a side</source>
-        <translation>每邊格數</translation>
-    </message>
-    <message>
         <source>Drops of milk</source>
         <translation>奶滴</translation>
     </message>
@@ -7694,6 +8260,10 @@
     <message>
         <source>The next glass</source>
         <translation>下一杯</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>精細度</translation>
     </message>
 </context>
 <context>
@@ -7847,10 +8417,6 @@
         <translation>可用記憶體</translation>
     </message>
     <message>
-        <source>%1 GiB</source>
-        <translation>%1 GiB</translation>
-    </message>
-    <message>
         <source>Windows by</source>
         <translation>視窗系統</translation>
     </message>
@@ -7885,14 +8451,6 @@
     <message>
         <source>Above, below</source>
         <translation>上下</translation>
-    </message>
-    <message>
-        <source>Along the last stroke</source>
-        <translation>沿著上一筆</translation>
-    </message>
-    <message>
-        <source>On the canvas</source>
-        <translation>在畫布上</translation>
     </message>
     <message>
         <source>Choose...</source>
@@ -8074,6 +8632,26 @@
         <source>Easel</source>
         <translation>畫架</translation>
     </message>
+    <message>
+        <source>Snap</source>
+        <translation>貼齊</translation>
+    </message>
+    <message>
+        <source>Add...</source>
+        <translation>加入...</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>獨立視窗</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>參考圖片</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -8171,6 +8749,21 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::BrushShelving</name>
+    <message>
+        <source>A tag needs a name.</source>
+        <translation>標籤需要名稱。</translation>
+    </message>
+    <message>
+        <source>New tag</source>
+        <translation>新增標籤</translation>
+    </message>
+    <message>
+        <source>Name of the tag:</source>
+        <translation>標籤的名稱：</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::CanvasSizing</name>
     <message>
         <source>A recording is being played; the canvas is yours when it has ended.</source>
@@ -8233,6 +8826,10 @@
     <message>
         <source>Leave it</source>
         <translation>保持原狀</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it beside the canvas, as a reference</source>
+        <translation>放在畫布旁作為參考(&amp;K)</translation>
     </message>
 </context>
 <context>
@@ -8462,12 +9059,12 @@
         <translation>選取範圍內沒有這個圖層的顏料。</translation>
     </message>
     <message>
-        <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps). Enter applies, Esc gives up.</source>
-        <translation>在框內拖曳可移動，拖曳控制點可縮放，在框外拖曳可旋轉（Shift：依固定角度）。Enter 套用，Esc 放棄。</translation>
-    </message>
-    <message>
         <source>The paint stays as it is.</source>
         <translation>顏料維持原樣。</translation>
+    </message>
+    <message>
+        <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</source>
+        <translation>在框內拖曳可移動，拖曳控制點可縮放，在框外拖曳可旋轉（Shift：依固定角度），按住 Ctrl 可單獨移動一角或一邊。Enter 套用，Esc 放棄。</translation>
     </message>
 </context>
 <context>
@@ -8501,6 +9098,37 @@
     <message>
         <source>Nothing would be left of the selection.</source>
         <translation>選取範圍將不會剩下任何部分。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::MaskingCommands</name>
+    <message>
+        <source>Paint masking fluid, as wide as the tool in hand: no paint gets below it. Alt peels it off again; Esc, or taking a tool, goes back to painting.</source>
+        <translation>塗上遮蓋液，和手上的工具一樣寬：顏料滲不進底下。Alt 可再撕掉；按 Esc 或拿起工具，就回到作畫。</translation>
+    </message>
+    <message>
+        <source>Drag a strip of masking tape, as wide as the tool in hand; Shift keeps it level, upright or halfway. Alt peels it off again; Esc, or taking a tool, goes back to painting.</source>
+        <translation>拖曳貼上一條遮蓋膠帶，和手上的工具一樣寬；Shift 讓它保持水平、垂直或 45 度。Alt 可再撕掉；按 Esc 或拿起工具，就回到作畫。</translation>
+    </message>
+    <message>
+        <source>Nothing was masked. Esc again goes back to painting.</source>
+        <translation>沒有遮蓋任何部分。再按一次 Esc 就回到作畫。</translation>
+    </message>
+    <message>
+        <source>Peels the masking off there.</source>
+        <translation>撕掉那裡的遮蓋。</translation>
+    </message>
+    <message>
+        <source>Masks the canvas there.</source>
+        <translation>遮蓋那裡的畫布。</translation>
+    </message>
+    <message>
+        <source>The brush paints again.</source>
+        <translation>筆刷可以繼續畫了。</translation>
+    </message>
+    <message>
+        <source>The masking is peeled off.</source>
+        <translation>遮蓋已撕掉。</translation>
     </message>
 </context>
 <context>
@@ -8817,6 +9445,37 @@
     <message>
         <source>Nothing has been painted yet that could be shown again.</source>
         <translation>還沒有畫任何東西可以重播。</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::main::ReferenceCommands</name>
+    <message>
+        <source>Add reference pictures</source>
+        <translation>加入參考圖片</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>圖片 (%1);;所有檔案 (*)</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>圖片</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>圖片</translation>
+    </message>
+    <message>
+        <source>There is no picture in it; save it as a file, and drag that here.</source>
+        <translation>其中沒有圖片；請先存成檔案，再把檔案拖到這裡。</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在讀取 %1</translation>
+    </message>
+    <message>
+        <source>Picked from the reference: %1</source>
+        <translation>已從參考圖片取用：%1</translation>
     </message>
 </context>
 <context>
@@ -9178,6 +9837,29 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::TextureCommands</name>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>圖片 (%1);;所有檔案 (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在讀取 %1</translation>
+    </message>
+    <message>
+        <source>The paste lies on the whole canvas, dry.</source>
+        <translation>肌理膏已乾，鋪滿整張畫布。</translation>
+    </message>
+    <message>
+        <source>The paste lies where it is selected, dry.</source>
+        <translation>肌理膏已乾，鋪在選取範圍。</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>正在播放錄製內容；結束後就能使用顏料。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::TracingCommands</name>
     <message>
         <source>Picked the colour of the picture: %1</source>
@@ -9217,6 +9899,40 @@
     <message>
         <source>Type another name: that one is empty, or another set&apos;s.</source>
         <translation>請輸入其他名稱：該名稱為空，或屬於另一組。</translation>
+    </message>
+    <message>
+        <source>Export my sets of tubes</source>
+        <translation>匯出我的管裝顏料組</translation>
+    </message>
+    <message>
+        <source>my-tubes.json</source>
+        <translation>my-tubes.json</translation>
+    </message>
+    <message>
+        <source>Sets of tubes (*.json)</source>
+        <translation>管裝顏料組 (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>已儲存 %1。</translation>
+    </message>
+    <message>
+        <source>Import sets of tubes</source>
+        <translation>匯入管裝顏料組</translation>
+    </message>
+    <message>
+        <source>You have all sets of that file already.</source>
+        <translation>你已有該檔案中的所有組。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n set(s) added to your own.</source>
+        <translation>
+            <numerusform>已將 %n 組加入你自己的組。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No paint was squeezed out beside an earlier painting yet.</source>
+        <translation>在先前的畫旁還沒有擠出過顏料。</translation>
     </message>
 </context>
 <context>
@@ -9875,6 +10591,86 @@
         <source>On the grain</source>
         <translation>紋理上</translation>
     </message>
+    <message>
+        <source>%1: %2 to %3%4</source>
+        <translation>%1：%2 到 %3%4</translation>
+    </message>
+    <message>
+        <source>Middle, from the left</source>
+        <translation>中心距左側</translation>
+    </message>
+    <message>
+        <source>Middle, from above</source>
+        <translation>中心距上方</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>斜度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>旋轉角度</translation>
+    </message>
+    <message>
+        <source>First point, from the left</source>
+        <translation>第一點距左側</translation>
+    </message>
+    <message>
+        <source>First point, from above</source>
+        <translation>第一點距上方</translation>
+    </message>
+    <message>
+        <source>Second point, from the left</source>
+        <translation>第二點距左側</translation>
+    </message>
+    <message>
+        <source>Second point, from above</source>
+        <translation>第二點距上方</translation>
+    </message>
+    <message>
+        <source>Third point, from the left</source>
+        <translation>第三點距左側</translation>
+    </message>
+    <message>
+        <source>Third point, from above</source>
+        <translation>第三點距上方</translation>
+    </message>
+    <message>
+        <source>Slope of the horizon</source>
+        <translation>地平線的斜度</translation>
+    </message>
+    <message>
+        <source>Crossing, from the left</source>
+        <translation>交點距左側</translation>
+    </message>
+    <message>
+        <source>Crossing, from above</source>
+        <translation>交點距上方</translation>
+    </message>
+    <message>
+        <source>Slope of the first lines</source>
+        <translation>第一組線的斜度</translation>
+    </message>
+    <message>
+        <source>Spacing of the first lines</source>
+        <translation>第一組線的間距</translation>
+    </message>
+    <message>
+        <source>Slope of the others</source>
+        <translation>另一組的斜度</translation>
+    </message>
+    <message>
+        <source>Spacing of the others</source>
+        <translation>另一組的間距</translation>
+    </message>
+    <message>
+        <source>Snaps within</source>
+        <translation>貼齊範圍</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::AidsPart</name>
@@ -10055,10 +10851,6 @@
         <translation>手部穩定的方式</translation>
     </message>
     <message>
-        <source>How a trembling hand is steadied, besides the brush&apos;s own smoothing</source>
-        <translation>在筆刷本身的平滑之外，另外修正手的抖動</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>關閉</translation>
     </message>
@@ -10093,6 +10885,14 @@
     <message>
         <source>Width of the brush&apos;s tip</source>
         <translation>筆尖寬度</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>標籤</translation>
+    </message>
+    <message>
+        <source>New tag...</source>
+        <translation>新增標籤...</translation>
     </message>
 </context>
 <context>
@@ -10299,10 +11099,6 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>光線</translation>
     </message>
     <message>
-        <source>Seen in</source>
-        <translation>觀看光源</translation>
-    </message>
-    <message>
         <source>Drying</source>
         <translation>乾燥</translation>
     </message>
@@ -10364,42 +11160,6 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <source>Axis</source>
         <translation>軸線</translation>
     </message>
-    <message>
-        <source>Ruler</source>
-        <translation>直尺</translation>
-    </message>
-    <message>
-        <source>Middle, from the left</source>
-        <translation>中心距左側</translation>
-    </message>
-    <message>
-        <source>Middle, from above</source>
-        <translation>中心距上方</translation>
-    </message>
-    <message>
-        <source>Slope</source>
-        <translation>斜度</translation>
-    </message>
-    <message>
-        <source>Ellipse</source>
-        <translation>橢圓</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>寬度</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>高度</translation>
-    </message>
-    <message>
-        <source>Turned by</source>
-        <translation>旋轉角度</translation>
-    </message>
-    <message>
-        <source>%1: %2 to %3%4</source>
-        <translation>%1：%2 到 %3%4</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::panels::HistoryModel</name>
@@ -10427,8 +11187,8 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
         <translation>步驟占用的記憶體；上限可在「編輯」選單的「復原記憶體」設定</translation>
     </message>
     <message>
-        <source>%1 of %2 MiB</source>
-        <translation>%1 / %2 MiB</translation>
+        <source>%1 of %2 MB</source>
+        <translation>%1 / %2 MB</translation>
     </message>
 </context>
 <context>
@@ -10463,6 +11223,73 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     </message>
 </context>
 <context>
+    <name>pastoso::panels::LaidGuidePart</name>
+    <message>
+        <source>Guide</source>
+        <translation>輔助線</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Snapping strength</source>
+        <translation>貼齊強度</translation>
+    </message>
+    <message>
+        <source>How far the guide draws the brush from where your hand is: 0 not at all, 100 all the way</source>
+        <translation>輔助線把畫筆從手的位置拉過去多少：0 完全不拉，100 完全拉到線上</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>What guides your strokes</source>
+        <translation>引導筆觸的輔助線</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>無</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>直尺</translation>
+    </message>
+    <message>
+        <source>Parallel ruler</source>
+        <translation>平行直尺</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>橢圓</translation>
+    </message>
+    <message>
+        <source>Concentric ellipse</source>
+        <translation>同心橢圓</translation>
+    </message>
+    <message>
+        <source>1 point perspective</source>
+        <translation>一點透視</translation>
+    </message>
+    <message>
+        <source>2 point perspective</source>
+        <translation>兩點透視</translation>
+    </message>
+    <message>
+        <source>3 point perspective</source>
+        <translation>三點透視</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>格線</translation>
+    </message>
+    <message>
+        <source>Lies on the canvas</source>
+        <translation>放在畫布上</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::LayerModel</name>
     <message>
         <source>a group of %1</source>
@@ -10483,6 +11310,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>opacity %1 %</source>
         <translation>不透明度 %1 %</translation>
+    </message>
+    <message>
+        <source>what is bare is locked</source>
+        <translation>空白處已鎖定</translation>
     </message>
 </context>
 <context>
@@ -11142,6 +11973,90 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     </message>
 </context>
 <context>
+    <name>pastoso::panels::ReferencePanel</name>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How strongly the chosen picture shows</source>
+        <translation>所選圖片顯示的濃淡</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Above the next picture (PgUp)</source>
+        <translation>移到上一張圖片之上 (PgUp)</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Below the picture under it (PgDown)</source>
+        <translation>移到下方圖片之下 (PgDown)</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>鏡像</translation>
+    </message>
+    <message>
+        <source>Left and right change sides</source>
+        <translation>左右對調</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>灰階</translation>
+    </message>
+    <message>
+        <source>Shown in greys as light as its colours</source>
+        <translation>以與顏色同樣明亮的灰階顯示</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Take the chosen picture off the board (Del)</source>
+        <translation>把所選圖片從圖板上移除 (Del)</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::panels::ReferenceView</name>
+    <message>
+        <source>Board of references</source>
+        <translation>參考圖板</translation>
+    </message>
+    <message>
+        <source>Drag: move a picture, scale it by a corner, turn it by the ring
+Control and click: paint of that colour
+Wheel: closer, farther; with Shift it turns the picture
+Double click, 0: all of it</source>
+        <translation>拖曳：移動圖片；拖角可縮放，拖圓圈可旋轉
+Ctrl＋按一下：調出該顏色的顏料
+滾輪：靠近、退遠；按住 Shift 則旋轉圖片
+按兩下、0：顯示全部</translation>
+    </message>
+    <message>
+        <source>pictures: %1</source>
+        <translation>圖片：%1</translation>
+    </message>
+    <message>
+        <source>pictures: %1; chosen: %2</source>
+        <translation>圖片：%1；已選：%2</translation>
+    </message>
+    <message>
+        <source>Drag pictures here, to look at them and pick their colours while you paint.</source>
+        <translation>把圖片拖到這裡，作畫時可以觀察並取用其中的顏色。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::panels::StatusReadings</name>
     <message>
         <source>The pen&apos;s place on the canvas, from its upper left corner</source>
@@ -11200,14 +12115,6 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
         <translation>%1 × 時間</translation>
     </message>
     <message>
-        <source>%1 MiB</source>
-        <translation>%1 MiB</translation>
-    </message>
-    <message>
-        <source>%1 GiB</source>
-        <translation>%1 GiB</translation>
-    </message>
-    <message>
         <source>%1 % selected</source>
         <translation>已選取 %1 %</translation>
     </message>
@@ -11222,6 +12129,14 @@ As the tool in hand lays it (%4 mm), thinned over white and over black, and with
     <message>
         <source>paint moving, %1 % busy</source>
         <translation>顏料流動中，忙碌 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
     </message>
 </context>
 <context>
@@ -11324,7 +12239,7 @@ Drag: move the picture
     </message>
     <message>
         <source>All tubes</source>
-        <translation>所有管裝顏料</translation>
+        <translation>所有顏料</translation>
     </message>
     <message>
         <source>Save as a set...</source>
@@ -11341,6 +12256,18 @@ Drag: move the picture
     <message>
         <source>Squeeze these onto the mixing well</source>
         <translation>將這些擠到調色槽上</translation>
+    </message>
+    <message>
+        <source>Import sets...</source>
+        <translation>匯入組...</translation>
+    </message>
+    <message>
+        <source>Export my sets...</source>
+        <translation>匯出我的組...</translation>
+    </message>
+    <message>
+        <source>Squeeze out the last painting&apos;s palette</source>
+        <translation>擠出上一幅畫的調色盤</translation>
     </message>
 </context>
 <context>
@@ -11677,6 +12604,14 @@ Drag: move the picture
     <message>
         <source>Canvas turned</source>
         <translation>畫布已旋轉</translation>
+    </message>
+    <message>
+        <source>Masking tape</source>
+        <translation>遮蓋膠帶</translation>
+    </message>
+    <message>
+        <source>Masking peeled off</source>
+        <translation>撕掉遮蓋</translation>
     </message>
 </context>
 </TS>
