@@ -92,7 +92,7 @@ void RotateDialog::show_outcome() {
         const QString rest = rotate.keeps_size ? tr("What comes beyond it is wiped off.")
                                                : tr("What is new in its corners is bare.");
         show_possible(true, size + QLatin1Char(' ') + rest + QLatin1Char('\n') +
-                                tr("Paint keeps its thickness, and the cloth stays upright."));
+                                tr("The weave turns with the paint."));
     } catch (const core::InputError& error) {
         show_possible(false, appearance::shown_message(error.message()));
     }

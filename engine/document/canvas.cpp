@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/units.hpp"
+#include "document/cloth.hpp"
 #include "film/state.hpp"
 #include "layers/extent.hpp"
 #include "layers/turning.hpp"
@@ -43,25 +44,9 @@ int cells_along(double side_mm, double px_per_mm) {
     return std::max(1, static_cast<int>(std::lround(side_mm * px_per_mm)));
 }
 
-int cells_from_origin(double place_mm, double px_per_mm) {
-    return static_cast<int>(std::lround(place_mm * px_per_mm));
-}
-
-double on_whole_cells(double place_mm, double px_per_mm) {
-    return cells_from_origin(place_mm, px_per_mm) / px_per_mm;
-}
-
 /// So that 6.3 is 6.3, whatever it is a product of.
 double in_millionths(double value) {
     return std::round(1e6 * value) / 1e6;
-}
-
-/// The cells of the turned cloth that a canvas is of.
-grid::Rect cells_of_cloth(const CanvasSettings& settings) {
-    const grid::Shape shape = canvas_shape(settings);
-    const int x0 = cells_from_origin(settings.support_x_mm, settings.px_per_mm);
-    const int y0 = cells_from_origin(settings.support_y_mm, settings.px_per_mm);
-    return {x0, y0, x0 + shape.width, y0 + shape.height};
 }
 
 core::Message size_of(const CanvasSettings& settings) {
@@ -73,6 +58,23 @@ std::string gib_text(std::size_t bytes) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f GiB", static_cast<double>(bytes) / kBytesPerGiB);
     return text;
+}
+
+layers::Place middle_mm(const CanvasSettings& settings) {
+    const grid::Shape shape = canvas_shape(settings);
+    return {0.5 * shape.width / settings.px_per_mm, 0.5 * shape.height / settings.px_per_mm};
+}
+
+/// Of the size that a canvas has after everything on it has been turned.
+CanvasSettings sized_for(const RotateCanvas& rotate, const CanvasSettings& settings) {
+    if (rotate.keeps_size) return settings;
+    const double angle = core::radians(rotate.turn_deg);
+    const double cosine = std::abs(std::cos(angle)), sine = std::abs(std::sin(angle));
+    const double width_mm = in_millionths(cosine * settings.width_mm + sine * settings.height_mm);
+    const double height_mm = in_millionths(sine * settings.width_mm + cosine * settings.height_mm);
+    return resized({0.5 * (settings.width_mm - width_mm), 0.5 * (settings.height_mm - height_mm),
+                    width_mm, height_mm},
+                   settings);
 }
 
 film::SupportHeights resized_support(const BareCanvas& bare, const CanvasSettings& wanted,
@@ -89,6 +91,8 @@ void check_canvas(const CanvasSettings& settings) {
                   "mm");
     check_between(core::message("resolution"), settings.px_per_mm, kMinPxPerMm, kMaxPxPerMm, "px/mm");
     check_between(core::message("support relief"), settings.support_relief_mm, 0.0, 20.0, "mm");
+    check_between(core::message("angle of the cloth"), settings.support_askew_deg, -45.0, 45.0,
+                  "degrees");
     check_between(core::message("place on the cloth in x"), settings.support_x_mm, -kMaxClothPlace_mm,
                   kMaxClothPlace_mm, "mm");
     check_between(core::message("place on the cloth in y"), settings.support_y_mm, -kMaxClothPlace_mm,
@@ -107,12 +111,7 @@ grid::Shape canvas_shape(const CanvasSettings& settings) {
 
 film::SupportHeights named_support(const CanvasSettings& settings, core::ThreadPool& pool,
                                    film::SupportForm form) {
-    const core::Orientation& turn = settings.support_turn;
-    const grid::Rect cells = core::turned_rectangle(cells_of_cloth(settings), core::reversed(turn));
-    film::SupportHeights woven =
-        film::named_support(settings.support, {cells.width(), cells.height()}, 1.0 / settings.px_per_mm,
-                            settings.support_relief_mm, pool, form, {cells.x0, cells.y0});
-    return turn == core::Orientation{} ? woven : layers::turned(woven, turn, pool);
+    return heights_of_cloth(settings, pool, form);
 }
 
 grid::Extent extent_of(const ResizeCanvas& resize, const CanvasSettings& settings) {
@@ -142,10 +141,7 @@ ResizedCanvas resized_canvas(const ResizeCanvas& resize, std::shared_ptr<const B
 }
 
 CanvasSettings turned(const core::Orientation& turn, CanvasSettings settings) {
-    const grid::Rect cells = core::turned_rectangle(cells_of_cloth(settings), turn);
-    settings.support_x_mm = cells.x0 / settings.px_per_mm;
-    settings.support_y_mm = cells.y0 / settings.px_per_mm;
-    settings.support_turn = core::followed_by(settings.support_turn, turn);
+    settings = with_turned_cloth(turn, settings);
     if (turn.swaps_sides()) std::swap(settings.width_mm, settings.height_mm);
     check_canvas(settings);
     return settings;
@@ -154,7 +150,9 @@ CanvasSettings turned(const core::Orientation& turn, CanvasSettings settings) {
 BareCanvas turned(const core::Orientation& turn, const BareCanvas& bare, core::ThreadPool& pool) {
     BareCanvas after = bare;
     after.settings = turned(turn, bare.settings);
-    after.support_mm = layers::turned(bare.support_mm, turn, pool);
+    after.support_mm = after.settings.support_askew_deg == 0.0
+                           ? layers::turned(bare.support_mm, turn, pool)
+                           : named_support(after.settings, pool, film::form_of(bare.support_mm));
     if (turn.swaps_sides()) std::swap(after.drawn_out_x, after.drawn_out_y);
     return after;
 }
@@ -163,8 +161,10 @@ CanvasSettings scaled(const ScaleCanvas& scale, CanvasSettings settings) {
     settings.width_mm = in_millionths(scale.scale_x * settings.width_mm);
     settings.height_mm = in_millionths(scale.scale_y * settings.height_mm);
     settings.px_per_mm = in_millionths(scale.finer * settings.px_per_mm);
-    settings.support_x_mm = on_whole_cells(settings.support_x_mm, settings.px_per_mm);
-    settings.support_y_mm = on_whole_cells(settings.support_y_mm, settings.px_per_mm);
+    if (settings.support_askew_deg == 0.0) {
+        settings.support_x_mm = on_whole_cells(settings.support_x_mm, settings.px_per_mm);
+        settings.support_y_mm = on_whole_cells(settings.support_y_mm, settings.px_per_mm);
+    }
     check_canvas(settings);
     return settings;
 }
@@ -192,23 +192,18 @@ BareCanvas scaled(const ScaleCanvas& scale, const BareCanvas& bare, core::Thread
 }
 
 CanvasSettings rotated(const RotateCanvas& rotate, CanvasSettings settings) {
-    if (rotate.keeps_size) return settings;
-    const double angle = core::radians(rotate.turn_deg);
-    const double cosine = std::abs(std::cos(angle)), sine = std::abs(std::sin(angle));
-    const double width_mm = in_millionths(cosine * settings.width_mm + sine * settings.height_mm);
-    const double height_mm = in_millionths(sine * settings.width_mm + cosine * settings.height_mm);
-    return resized({0.5 * (settings.width_mm - width_mm), 0.5 * (settings.height_mm - height_mm),
-                    width_mm, height_mm},
-                   settings);
+    const CanvasSettings sized = sized_for(rotate, settings);
+    if (settings.support == "image") return sized;
+    const layers::Place before_mm = middle_mm(settings), after_mm = middle_mm(sized);
+    settings.width_mm = sized.width_mm;
+    settings.height_mm = sized.height_mm;
+    settings = with_rotated_cloth(rotate.turn_deg, before_mm, after_mm, settings);
+    check_canvas(settings);
+    return settings;
 }
 
 layers::Rotation rotation_of(const RotateCanvas& rotate, const CanvasSettings& before) {
-    const auto middle = [&](const CanvasSettings& settings) {
-        const grid::Shape shape = canvas_shape(settings);
-        return layers::Place{0.5 * shape.width / settings.px_per_mm,
-                             0.5 * shape.height / settings.px_per_mm};
-    };
-    return {rotate.turn_deg, middle(before), middle(rotated(rotate, before))};
+    return {rotate.turn_deg, middle_mm(before), middle_mm(rotated(rotate, before))};
 }
 
 layers::Resampling resampling_of(const RotateCanvas& rotate, const CanvasSettings& before) {
@@ -228,7 +223,7 @@ BareCanvas rotated(const RotateCanvas& rotate, const BareCanvas& bare, core::Thr
     if (after.settings.support == "image")
         after.support_mm =
             layers::resampled(bare.support_mm, resampling_of(rotate, bare.settings), pool);
-    else if (after.settings != bare.settings)
+    else
         after.support_mm = named_support(after.settings, pool, film::form_of(bare.support_mm));
     return after;
 }

@@ -18,8 +18,10 @@ struct CanvasSettings {
         0.0;  ///< height of its white above its black; 0: the support's own relief
     /// How its cloth has been turned, about a point of its own; an image, as it was stretched.
     core::Orientation support_turn{};
-    /// Where on the turned cloth the canvas begins, in whole cells; of an image, from where it was
-    /// stretched.
+    /// How far the cloth lies askew besides, turned about the same point; an image does not.
+    double support_askew_deg = 0.0;  ///< -45 to 45, clockwise
+    /// Where on the turned cloth the canvas begins, in whole cells unless it lies askew; of an image,
+    /// from where it was stretched.
     double support_x_mm = 0.0, support_y_mm = 0.0;
     friend bool operator==(const CanvasSettings&, const CanvasSettings&) = default;
 };

@@ -17,8 +17,8 @@ constexpr std::int64_t kMaxTick = 100LL * 24 * 3600 * 60;
 
 document::CanvasSettings read_canvas(const files::JsonPlace& place) {
     place.allow_only({"width_mm", "height_mm", "px_per_mm", "support", "support_image",
-                      "support_relief_mm", "support_mirrored", "support_quarter_turns", "support_x_mm",
-                      "support_y_mm"});
+                      "support_relief_mm", "support_mirrored", "support_quarter_turns",
+                      "support_askew_deg", "support_x_mm", "support_y_mm"});
     document::CanvasSettings canvas;
     canvas.width_mm = place.entry("width_mm").number();
     canvas.height_mm = place.entry("height_mm").number();
@@ -29,6 +29,7 @@ document::CanvasSettings read_canvas(const files::JsonPlace& place) {
     canvas.support_turn.mirrored = place.boolean_or("support_mirrored", false);
     if (const auto turns = place.optional_entry("support_quarter_turns"))
         canvas.support_turn.quarter_turns = static_cast<int>(turns->integer(0, 3));
+    canvas.support_askew_deg = place.number_or("support_askew_deg", 0.0);
     canvas.support_x_mm = place.number_or("support_x_mm", 0.0);
     canvas.support_y_mm = place.number_or("support_y_mm", 0.0);
     place.guard([&] { document::check_canvas(canvas); });

@@ -3013,6 +3013,10 @@
         <source>y of the reference</source>
         <translation>y of the reference</translation>
     </message>
+    <message>
+        <source>angle of the cloth</source>
+        <translation>angle of the cloth</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -6868,8 +6872,8 @@
         <translation>What is new in its corners is bare.</translation>
     </message>
     <message>
-        <source>Paint keeps its thickness, and the cloth stays upright.</source>
-        <translation>Paint keeps its thickness, and the cloth stays upright.</translation>
+        <source>The weave turns with the paint.</source>
+        <translation>The weave turns with the paint.</translation>
     </message>
 </context>
 <context>

@@ -3013,6 +3013,10 @@
         <source>y of the reference</source>
         <translation>参考画像の y</translation>
     </message>
+    <message>
+        <source>angle of the cloth</source>
+        <translation>布の角度</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -6864,8 +6868,8 @@
         <translation>新しくできる隅には何も塗られていません。</translation>
     </message>
     <message>
-        <source>Paint keeps its thickness, and the cloth stays upright.</source>
-        <translation>絵具の厚みは変わらず、布目の向きもそのままです。</translation>
+        <source>The weave turns with the paint.</source>
+        <translation>布目も絵具と一緒に回転します。</translation>
     </message>
 </context>
 <context>

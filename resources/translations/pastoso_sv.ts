@@ -3013,6 +3013,10 @@
         <source>y of the reference</source>
         <translation>referensens y</translation>
     </message>
+    <message>
+        <source>angle of the cloth</source>
+        <translation>tygets vinkel</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -6868,8 +6872,8 @@
         <translation>Det som är nytt i hörnen är omålat.</translation>
     </message>
     <message>
-        <source>Paint keeps its thickness, and the cloth stays upright.</source>
-        <translation>Färgen behåller sin tjocklek, och väven förblir rak.</translation>
+        <source>The weave turns with the paint.</source>
+        <translation>Väven vrids med färgen.</translation>
     </message>
 </context>
 <context>

@@ -3013,6 +3013,10 @@
         <source>y of the reference</source>
         <translation>參考圖片的 y</translation>
     </message>
+    <message>
+        <source>angle of the cloth</source>
+        <translation>布面角度</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -6864,8 +6868,8 @@
         <translation>四角新增的部分是空白的。</translation>
     </message>
     <message>
-        <source>Paint keeps its thickness, and the cloth stays upright.</source>
-        <translation>顏料厚度不變，畫布的織紋保持端正。</translation>
+        <source>The weave turns with the paint.</source>
+        <translation>織紋會隨顏料一起旋轉。</translation>
     </message>
 </context>
 <context>

@@ -17,9 +17,10 @@ using ::testing::ElementsAre;
 /// Names of the posted actions, in their order.
 std::vector<std::string> names(const std::vector<Action>& actions) {
     static const char* const kNames[] = {
-        "brush",   "load",      "clean",       "aside",        "swap",   "medium", "drying",  "dry",
-        "tilt",    "size",      "turn canvas", "scale canvas", "down",   "move",   "up",      "turn",
-        "squeeze", "wipe well", "undo",        "redo",         "steady", "guide",  "symmetry"};
+        "brush",         "load", "clean", "aside",  "swap",        "medium",
+        "drying",        "dry",  "tilt",  "size",   "turn canvas", "scale canvas",
+        "rotate canvas", "down", "move",  "up",     "turn",        "squeeze",
+        "wipe well",     "undo", "redo",  "steady", "guide",       "symmetry"};
     std::vector<std::string> list;
     for (const Action& action : actions)
         list.emplace_back(kNames[action.index()]);

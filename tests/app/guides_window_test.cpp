@@ -366,10 +366,12 @@ TEST_F(Guides, APerspectiveTurnsWithTheCanvas) {
     };
     const brush::VanishingPoints before = points();
     give(Command::RotateImageRight);
+    settle();
     EXPECT_DOUBLE_EQ(points().x1_mm, 40.0 - before.y1_mm);
     EXPECT_DOUBLE_EQ(points().y1_mm, before.x1_mm);
     EXPECT_DOUBLE_EQ(std::abs(points().upright_deg), 180.0);
     give(Command::Undo);
+    settle();
     EXPECT_DOUBLE_EQ(points().x2_mm, before.x2_mm);
 }
 

@@ -49,7 +49,7 @@ TEST(PanelArrangement, MirroredTwiceIsAsItWas) {
 
 TEST(Workspaces, ThoseThatComeWithTheProgramNamePanelsThatHaveAHome) {
     const std::set<std::string> all = names_in(panels_at_home());
-    EXPECT_EQ(all.size(), 15U);
+    EXPECT_EQ(all.size(), 16U);
     for (const Workspace shipped :
          {Workspace::Sketch, Workspace::Oil, Workspace::Mixing, Workspace::Export}) {
         const std::set<std::string> open = names_in(arrangement_of(shipped));

@@ -111,8 +111,9 @@ TEST_F(LayerDistorting, OnlyWhatIsSelectedIsDrawnAndTheSelectionComesAlong) {
     const film::FilmState before = painting.film();
     painting.apply(DistortLayer{2, {{0, 0}, 20, 30, {0, 0}, {20, 5}, {20, 20}, {0, 30}}});
     for (int y = 0; y < 90; ++y) {
-        // Cells come from parallelograms, which reach a little over a line that stays.
-        EXPECT_NEAR(painting.film().thickness.at(60, y), before.thickness.at(60, y), 10);
+        // Cells come from parallelograms, which reach over a line that stays by some hundredths.
+        EXPECT_NEAR(painting.film().thickness.at(60, y), before.thickness.at(60, y),
+                    2e-3 / film::kThicknessQuantum_mm);
         for (int x = 61; x < 120; ++x)
             ASSERT_EQ(painting.film().thickness.at(x, y), before.thickness.at(x, y)) << x << ", " << y;
     }

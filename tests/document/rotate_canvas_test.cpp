@@ -5,6 +5,7 @@
 #include "document/painting_state.hpp"
 #include "document/player.hpp"
 #include "document/scenes.hpp"
+#include "layers/turning.hpp"
 
 #include <cmath>
 #include <memory>
@@ -68,7 +69,8 @@ TEST_F(CanvasRotating, KeepingItsSizeItLosesItsCorners) {
     painting.apply(ToneGround{{{{"PW6", 1.0}}}, 0.1, "Ground"});
     const double before_mm3 = painting.account().dried.volume_mm3;
     painting.apply(RotateCanvas{45.0, true});
-    EXPECT_EQ(painting.settings(), small_canvas());
+    EXPECT_EQ(painting.settings().width_mm, small_canvas().width_mm);
+    EXPECT_EQ(painting.settings().height_mm, small_canvas().height_mm);
     EXPECT_EQ(painting.film().shape, (grid::Shape{120, 90}));
     EXPECT_LT(painting.account().dried.volume_mm3, 0.9 * before_mm3);
     expect_balance();
@@ -107,17 +109,62 @@ TEST_F(CanvasRotating, ThereAndBackGivesTheVolumeBack) {
     expect_balance();
 }
 
-TEST_F(CanvasRotating, TheClothStaysUprightAboutItsMiddle) {
-    painting.apply(RotateCanvas{30.0});
+/// The largest difference of two supports, away from the edges.
+double apart_mm(const film::SupportHeights& a, const film::SupportHeights& b) {
+    constexpr int kEdge = 4;
+    double apart = 0.0;
+    for (int y = kEdge; y < a.shape().height - kEdge; ++y)
+        for (int x = kEdge; x < a.shape().width - kEdge; ++x)
+            apart = std::max<double>(apart, std::abs(a.at(x, y) - b.at(x, y)));
+    return apart;
+}
+
+TEST_F(CanvasRotating, TheClothTurnsWithWhatLiesOnIt) {
+    const Snapshot before = painting.snapshot();
+    painting.apply(RotateCanvas{30.0, true});
     const Snapshot after = painting.snapshot();
-    EXPECT_EQ(after.bare->settings.support_turn, core::Orientation{});
-    // 9.64 and 15.98 mm more, a half of each before the corner, in cells of 1/3 mm.
-    EXPECT_NEAR(after.bare->settings.support_x_mm, -14.0 / 3.0, kRounding);
-    EXPECT_NEAR(after.bare->settings.support_y_mm, -24.0 / 3.0, kRounding);
-    const film::SupportHeights anew = named_support(after.bare->settings, pool);
-    for (int y = 0; y < anew.shape().height; ++y)
-        for (int x = 0; x < anew.shape().width; ++x)
-            ASSERT_EQ(after.bare->support_mm.at(x, y), anew.at(x, y)) << x << ", " << y;
+    EXPECT_EQ(after.bare->settings.support_askew_deg, 30.0);
+    const layers::Resampling turn = resampling_of(RotateCanvas{30.0, true}, before.bare->settings);
+    const film::SupportHeights carried = layers::resampled(before.bare->support_mm, turn, pool);
+    int compared = 0;
+    for (int y = 30; y < 60; ++y)
+        for (int x = 40; x < 80; ++x, ++compared)
+            ASSERT_NEAR(after.bare->support_mm.at(x, y), carried.at(x, y), 1e-5) << x << ", " << y;
+    EXPECT_EQ(compared, 1200);
+    EXPECT_EQ(apart_mm(named_support(after.bare->settings, pool), after.bare->support_mm), 0.0)
+        << "it is woven anew from its settings";
+}
+
+TEST_F(CanvasRotating, TurnsOfTheClothAddUpAndFoldIntoQuarters) {
+    painting.apply(RotateCanvas{30.0, true});
+    painting.apply(RotateCanvas{50.0, true});
+    CanvasSettings settings = painting.settings();
+    EXPECT_EQ(settings.support_turn, (core::Orientation{false, 1}));
+    EXPECT_NEAR(settings.support_askew_deg, -10.0, kRounding);
+    const film::SupportHeights woven = named_support(settings, pool);
+    CanvasSettings at_once = rotated(RotateCanvas{80.0, true}, small_canvas());
+    EXPECT_LT(apart_mm(named_support(at_once, pool), woven), 1e-5);
+    settings = rotated(RotateCanvas{-80.0, true}, settings);
+    EXPECT_EQ(settings.support_turn, core::Orientation{});
+    EXPECT_NEAR(settings.support_askew_deg, 0.0, kRounding);
+    EXPECT_NEAR(settings.support_x_mm, 0.0, kRounding);
+}
+
+TEST_F(CanvasRotating, AClothThatLiesAskewIsCutEnlargedAndMirroredInItsPlace) {
+    const CanvasSettings askew = rotated(RotateCanvas{20.0}, small_canvas());
+    const film::SupportHeights woven = named_support(askew, pool);
+    const CanvasSettings larger =
+        resized({-2.0, -3.0, askew.width_mm + 5.0, askew.height_mm + 5.0}, askew);
+    const film::SupportHeights around = named_support(larger, pool);
+    const CanvasSettings mirror = turned(core::Orientation{true, 1}, askew);
+    const film::SupportHeights mirrored = named_support(mirror, pool);
+    const film::SupportHeights told = layers::turned(woven, core::Orientation{true, 1}, pool);
+    for (int y = 4; y < woven.shape().height - 4; ++y)
+        for (int x = 4; x < woven.shape().width - 4; ++x)
+            ASSERT_NEAR(around.at(x + 6, y + 9), woven.at(x, y), 1e-5) << x << ", " << y;
+    EXPECT_EQ(mirror.support_askew_deg, -20.0);
+    ASSERT_EQ(mirrored.shape(), told.shape());
+    EXPECT_LT(apart_mm(mirrored, told), 1e-5);
 }
 
 TEST_F(CanvasRotating, UndoGivesEveryBitBack) {

@@ -515,6 +515,19 @@ TEST(RecordingJson, SaysThatItsClothWasTurned) {
               "s.json, canvas.support_quarter_turns: 4 is not between 0 and 3.");
 }
 
+TEST(RecordingJson, SaysThatItsClothLiesAskew) {
+    Recording recording;
+    recording.canvas.support_askew_deg = -7.5;
+    recording.canvas.support_x_mm = 1.0 / 3.0;
+    const std::string text = recording_to_json(recording);
+    EXPECT_THAT(text, HasSubstr("\"version\": 14,"));
+    EXPECT_EQ(recording_from_json(text, "s.json"), recording);
+    EXPECT_EQ(error(R"({"format":"pastoso-strokes","version":14,"canvas":{"width_mm":9,"height_mm":9,)"
+                    R"("support_askew_deg":46},"end_tick":0,"events":[]})"),
+              "s.json, canvas: The angle of the cloth of the canvas is 46 degrees, but must lie between "
+              "-45 and 45.");
+}
+
 TEST(RecordingJson, RefusesAbsurdCanvases) {
     const auto canvas_error = [](const std::string& canvas) {
         return error(R"({"format":"pastoso-strokes","version":1,"canvas":)" + canvas +

@@ -50,7 +50,7 @@ inline constexpr double kLeastCanvasScale = 0.05, kMostCanvasScale = 20.0;
 
 /// Turns what lies on the canvas about its middle by any angle: layers, selection and tracing. The
 /// canvas becomes the upright one around it, or keeps its size; what comes to lie beyond it is wiped
-/// off, what is beside it is bare. The cloth stays upright, an image is turned too. Guides, symmetry and
+/// off, what is beside it is bare. The cloth, or its image, is turned with it. Guides, symmetry and
 /// fan stay at their millimetres.
 struct RotateCanvas {
     double turn_deg = 0.0;  ///< clockwise
