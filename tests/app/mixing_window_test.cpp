@@ -18,12 +18,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <gmock/gmock.h>
 
@@ -460,6 +462,12 @@ TEST_F(Tubes, OfTheLastWellAreSqueezedOutAgain) {
     for (const char* tube : {"PR108", "PB29", "PR108"})
         studio().easel().squeeze_next({{{tube, 1.0}}, 1.0});
     EXPECT_EQ(squeezed().size(), 3U);
+    QTimer::singleShot(0, [] {
+        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_NE(question, nullptr);
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::DestructiveRole) return button->click();
+    });
     start_again();
     EXPECT_TRUE(squeezed().empty());
     Q_EMIT panel().sets().last_palette_wanted();
