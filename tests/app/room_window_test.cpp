@@ -5,6 +5,7 @@
 #include "main/window_parts.hpp"
 #include "panels/paint/paint_panel.hpp"
 #include "panels/parts/gallery.hpp"
+#include "panels/parts/tool_bar.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "start/start_page.hpp"
 
@@ -71,6 +72,35 @@ class RoomWindow : public WindowTest {
 };
 
 constexpr const char* kLanguages[] = {"en", "ja", "sv", "zh_TW"};
+
+/// Counts what asks its widget for a layout.
+class LayoutRequests : public QObject {
+  public:
+    using QObject::QObject;
+    int count = 0;
+
+  protected:
+    bool eventFilter(QObject* object, QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest) ++count;
+        return QObject::eventFilter(object, event);
+    }
+};
+
+TEST_F(RoomWindow, AtRestTheToolBarAsksForNoLayout) {
+    auto* bar = window().findChild<panels::ToolBar*>();
+    ASSERT_NE(bar, nullptr);
+    for (const int width : {1280, 1100, 900}) {
+        window().resize(width, 800);
+        constexpr int kRounds = 20;
+        for (int round = 0; round < kRounds; ++round)
+            QApplication::processEvents();
+        LayoutRequests requests;
+        bar->installEventFilter(&requests);
+        for (int round = 0; round < kRounds; ++round)
+            QApplication::processEvents();
+        EXPECT_EQ(requests.count, 0) << width << " wide";
+    }
+}
 
 TEST_F(RoomWindow, FitsASmallScreenInEveryLanguage) {
     for (const char* language : kLanguages) {

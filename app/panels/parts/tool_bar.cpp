@@ -51,6 +51,7 @@ void ToolBar::fit_words() {
         if (layout()->sizeHint().width() > width()) show(words, false);
     }
     layout()->invalidate();
+    fitted_ = layout()->sizeHint();
     fitting_ = false;
 }
 
@@ -59,10 +60,11 @@ void ToolBar::resizeEvent(QResizeEvent* event) {
     QToolBar::resizeEvent(event);
 }
 
-/// A box in it may need more room for what it shows now.
+/// A box in it may need more room for what it shows now. Fitting asks for a layout itself: where nothing
+/// needs another size than after it, that would go on for ever.
 bool ToolBar::event(QEvent* event) {
     const bool handled = QToolBar::event(event);
-    if (event->type() == QEvent::LayoutRequest) fit_words();
+    if (event->type() == QEvent::LayoutRequest && layout()->sizeHint() != fitted_) fit_words();
     return handled;
 }
 

@@ -39,6 +39,7 @@ class ToolBar : public QToolBar {
     void fit_words();
 
     std::vector<Words> words_;
+    QSize fitted_;  ///< what the bar needed after its words were fitted
     bool fitting_ = false;
 };
 
