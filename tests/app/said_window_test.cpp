@@ -154,13 +154,13 @@ TEST_F(SaidWindow, EveryControlSaysWhatItDoes) {
     EXPECT_GT(count, 60);
 }
 
-/// That the pointer is told over the label of those words.
+/// That the pointer is told over a label of those words, which may stand as a heading, too.
 QString hint_over(const QWidget& window, const QString& words) {
     for (const QWidget* one : window.findChildren<QLabel*>()) {
         if (static_cast<const QLabel*>(one)->text() != words) continue;
         while (one != nullptr && one->toolTip().isEmpty())
             one = one->parentWidget();
-        return one == nullptr ? QString() : one->toolTip();
+        if (one != nullptr) return one->toolTip();
     }
     return {};
 }

@@ -32,6 +32,7 @@ document::Reference* find_in(document::ReferenceBoard& board, document::Referenc
 }  // namespace
 
 ReferenceView::ReferenceView(QWidget* parent) : QWidget(parent) {
+    appearance::say_as(*this, QAccessible::Graphic);
     setObjectName(QStringLiteral("reference_board"));
     setAccessibleName(tr("Board of references"));
     setToolTip(
@@ -39,7 +40,6 @@ ReferenceView::ReferenceView(QWidget* parent) : QWidget(parent) {
            "Control and click: paint of that colour\n"
            "Wheel: closer, farther; with Shift it turns the picture\n"
            "Double click, 0: all of it"));
-    appearance::say_as(*this, QAccessible::Graphic);
     say_board();
     setAcceptDrops(true);
     setFocusPolicy(Qt::StrongFocus);
