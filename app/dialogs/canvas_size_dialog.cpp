@@ -43,7 +43,7 @@ QString anchor_words(int field) {
 QString sides_words(const tools::Margins& margins, double sign) {
     QStringList sides;
     const auto note = [&](double margin_mm, const QString& words) {
-        if (sign * margin_mm > 0.0) sides << words.arg(std::round(100.0 * std::abs(margin_mm)) / 100.0);
+        if (sign * margin_mm > 0.0) sides << words.arg(in_hundredths(std::abs(margin_mm)));
     };
     note(margins.left_mm, CanvasSizeDialog::tr("%1 mm on the left"));
     note(margins.right_mm, CanvasSizeDialog::tr("%1 mm on the right"));

@@ -4,6 +4,7 @@
 #include "core/looking.hpp"
 #include "core/memory.hpp"
 #include "core/units.hpp"
+#include "dialogs/length_box.hpp"
 #include "document/canvas.hpp"
 #include "files/file_access.hpp"
 
@@ -28,7 +29,7 @@ bool is_folder_format(const ExportSettings& settings) {
 
 /// A length in mm without needless digits.
 QString length(double mm) {
-    return QString::number(std::round(100.0 * mm) / 100.0);
+    return QString::number(in_hundredths(mm));
 }
 
 QString duration(double seconds) {

@@ -30,6 +30,9 @@ class UnitBox : public QDoubleSpinBox {
 /// What the box says; or `exact`, where that is what it shows, rounded for reading.
 double unrounded(const QDoubleSpinBox& box, double exact);
 
+/// A number for reading: without more than two decimals.
+double in_hundredths(double value);
+
 /// "500", "50 cm", "0.5 m", "20 in" or 20"; a number alone is of millimetres.
 std::optional<double> read_length_mm(const QString& words, const QLocale& locale);
 

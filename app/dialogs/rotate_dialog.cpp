@@ -4,10 +4,9 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "dialogs/canvas_size_preview.hpp"
+#include "dialogs/length_box.hpp"
 #include "document/canvas.hpp"
 #include "tools/canvas_resizing.hpp"
-
-#include <cmath>
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -17,13 +16,6 @@
 #include <QPushButton>
 
 namespace pastoso::dialogs {
-namespace {
-
-double in_hundredths(double value) {
-    return std::round(100.0 * value) / 100.0;
-}
-
-}  // namespace
 
 RotateDialog::RotateDialog(const document::CanvasSettings& canvas, const QImage& picture,
                            const std::optional<brush::Ruler>& ruler, QWidget* parent)

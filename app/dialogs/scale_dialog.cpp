@@ -26,7 +26,7 @@ QString paint_words(const document::ScaleCanvas& scale) {
     const double area = scale.scale_x * scale.scale_y;
     if (area == 1.0) return {};
     return ScaleDialog::tr("Paint keeps its thickness, so that there is %1 times as much of it.")
-        .arg(std::round(100.0 * area) / 100.0);
+        .arg(in_hundredths(area));
 }
 
 }  // namespace
