@@ -3,7 +3,7 @@
 #include "document/error_of.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
-#include "document/player.hpp"
+#include "document/played.hpp"
 #include "document/scenes.hpp"
 #include "layers/turning.hpp"
 
@@ -42,14 +42,6 @@ class CanvasRotating : public testing::Test {
     core::ThreadPool pool{2};
     Painting painting{small_canvas(), pool};
 };
-
-std::unique_ptr<Painting> played(const Recording& recording, core::ThreadPool& pool) {
-    auto painting = std::make_unique<Painting>(recording.canvas, pool);
-    Player player(*painting, recording);
-    while (!player.finished())
-        player.play_tick();
-    return painting;
-}
 
 TEST_F(CanvasRotating, GrowsToHoldAllOfIt) {
     const Account before = painting.account();

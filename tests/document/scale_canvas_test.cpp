@@ -2,7 +2,7 @@
 #include "document/error_of.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
-#include "document/player.hpp"
+#include "document/played.hpp"
 #include "document/scenes.hpp"
 
 #include <memory>
@@ -43,14 +43,6 @@ class CanvasScaling : public testing::Test {
     core::ThreadPool pool{2};
     Painting painting{small_canvas(), pool};
 };
-
-std::unique_ptr<Painting> played(const Recording& recording, core::ThreadPool& pool) {
-    auto painting = std::make_unique<Painting>(recording.canvas, pool);
-    Player player(*painting, recording);
-    while (!player.finished())
-        player.play_tick();
-    return painting;
-}
 
 TEST_F(CanvasScaling, MadeOfFinerCellsItHoldsTheSamePaint) {
     const Account before = painting.account();
