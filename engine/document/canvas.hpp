@@ -76,8 +76,8 @@ layers::Resampling resampling_of(const ScaleCanvas& scale, const CanvasSettings&
 /// where it would not fit into memory.
 BareCanvas scaled(const ScaleCanvas& scale, const BareCanvas& bare, core::ThreadPool& pool);
 
-/// What becomes of the settings of a canvas on which everything is turned; its middle stays on the same
-/// place of the cloth, in whole cells. Throws InputError as check_canvas() does.
+/// What becomes of the settings of a canvas on which everything is turned, the cloth with it, which then
+/// lies askew; an image is no cloth. Throws InputError as check_canvas() does.
 CanvasSettings rotated(const RotateCanvas& rotate, CanvasSettings settings);
 
 /// About the middle of the cells that there were, which comes to that of the cells there will be.
@@ -86,7 +86,7 @@ layers::Rotation rotation_of(const RotateCanvas& rotate, const CanvasSettings& b
 /// Where its cells come to.
 layers::Resampling resampling_of(const RotateCanvas& rotate, const CanvasSettings& before);
 
-/// The canvas on which everything is turned: of the same cloth, upright, or of its image turned. Throws
+/// The canvas on which everything is turned: of the same cloth, or of its image, turned as well. Throws
 /// the same, and where it would not fit into memory.
 BareCanvas rotated(const RotateCanvas& rotate, const BareCanvas& bare, core::ThreadPool& pool);
 
