@@ -80,7 +80,7 @@ CanvasSettings sized_for(const RotateCanvas& rotate, const CanvasSettings& setti
 film::SupportHeights resized_support(const BareCanvas& bare, const CanvasSettings& wanted,
                                      const grid::Extent& extent, core::ThreadPool& pool) {
     if (wanted.support == "image") return layers::widened(bare.support_mm, extent);
-    return named_support(wanted, pool, film::form_of(bare.support_mm));
+    return heights_of_cloth(wanted, pool, film::form_of(bare.support_mm));
 }
 
 }  // namespace
@@ -91,8 +91,11 @@ void check_canvas(const CanvasSettings& settings) {
                   "mm");
     check_between(core::message("resolution"), settings.px_per_mm, kMinPxPerMm, kMaxPxPerMm, "px/mm");
     check_between(core::message("support relief"), settings.support_relief_mm, 0.0, 20.0, "mm");
-    check_between(core::message("angle of the cloth"), settings.support_askew_deg, -45.0, 45.0,
-                  "degrees");
+    const DrawnOut cloth = drawn_out(settings.support_map);
+    check_between(core::message("width of the cloth's threads"), 100.0 * cloth.least,
+                  100.0 / kMostDrawnOut, 100.0 * kMostDrawnOut, "%");
+    check_between(core::message("width of the cloth's threads"), 100.0 * cloth.most,
+                  100.0 / kMostDrawnOut, 100.0 * kMostDrawnOut, "%");
     check_between(core::message("place on the cloth in x"), settings.support_x_mm, -kMaxClothPlace_mm,
                   kMaxClothPlace_mm, "mm");
     check_between(core::message("place on the cloth in y"), settings.support_y_mm, -kMaxClothPlace_mm,
@@ -107,11 +110,6 @@ void check_canvas(const CanvasSettings& settings) {
 grid::Shape canvas_shape(const CanvasSettings& settings) {
     return {cells_along(settings.width_mm, settings.px_per_mm),
             cells_along(settings.height_mm, settings.px_per_mm)};
-}
-
-film::SupportHeights named_support(const CanvasSettings& settings, core::ThreadPool& pool,
-                                   film::SupportForm form) {
-    return heights_of_cloth(settings, pool, form);
 }
 
 grid::Extent extent_of(const ResizeCanvas& resize, const CanvasSettings& settings) {
@@ -150,9 +148,9 @@ CanvasSettings turned(const core::Orientation& turn, CanvasSettings settings) {
 BareCanvas turned(const core::Orientation& turn, const BareCanvas& bare, core::ThreadPool& pool) {
     BareCanvas after = bare;
     after.settings = turned(turn, bare.settings);
-    after.support_mm = after.settings.support_askew_deg == 0.0
+    after.support_mm = after.settings.support_map == ClothMap{}
                            ? layers::turned(bare.support_mm, turn, pool)
-                           : named_support(after.settings, pool, film::form_of(bare.support_mm));
+                           : heights_of_cloth(after.settings, pool, film::form_of(bare.support_mm));
     if (turn.swaps_sides()) std::swap(after.drawn_out_x, after.drawn_out_y);
     return after;
 }
@@ -161,10 +159,7 @@ CanvasSettings scaled(const ScaleCanvas& scale, CanvasSettings settings) {
     settings.width_mm = in_millionths(scale.scale_x * settings.width_mm);
     settings.height_mm = in_millionths(scale.scale_y * settings.height_mm);
     settings.px_per_mm = in_millionths(scale.finer * settings.px_per_mm);
-    if (settings.support_askew_deg == 0.0) {
-        settings.support_x_mm = on_whole_cells(settings.support_x_mm, settings.px_per_mm);
-        settings.support_y_mm = on_whole_cells(settings.support_y_mm, settings.px_per_mm);
-    }
+    settings = with_drawn_out_cloth(scale.scale_x, scale.scale_y, settings);
     check_canvas(settings);
     return settings;
 }
@@ -187,7 +182,7 @@ BareCanvas scaled(const ScaleCanvas& scale, const BareCanvas& bare, core::Thread
     after.support_mm =
         after.settings.support == "image"
             ? layers::resampled(bare.support_mm, resampling_of(scale, bare.settings), pool)
-            : named_support(after.settings, pool, film::form_of(bare.support_mm));
+            : heights_of_cloth(after.settings, pool, film::form_of(bare.support_mm));
     return after;
 }
 
@@ -224,7 +219,7 @@ BareCanvas rotated(const RotateCanvas& rotate, const BareCanvas& bare, core::Thr
         after.support_mm =
             layers::resampled(bare.support_mm, resampling_of(rotate, bare.settings), pool);
     else
-        after.support_mm = named_support(after.settings, pool, film::form_of(bare.support_mm));
+        after.support_mm = heights_of_cloth(after.settings, pool, film::form_of(bare.support_mm));
     return after;
 }
 

@@ -18,6 +18,8 @@ inline constexpr double kMinPxPerMm = 0.25;
 inline constexpr double kMaxPxPerMm = 64.0;
 /// How far from the origin of its cloth a canvas may begin.
 inline constexpr double kMaxClothPlace_mm = 1e5;
+/// By how much a cloth may be drawn out, and how much narrowed: twice as far as a painting at a time.
+inline constexpr double kMostDrawnOut = kMostCanvasScale * kMostCanvasScale;
 inline constexpr int kMaxCellsPerSide = 32768;
 
 /// What there is before anything is painted.
@@ -36,10 +38,6 @@ void check_canvas(const CanvasSettings& settings);
 
 /// Width and height in cells, rounded to whole cells, at least 1. `settings` passed check_canvas().
 grid::Shape canvas_shape(const CanvasSettings& settings);
-
-/// Heights of a support that has a name. Throws InputError where there is no such name.
-film::SupportHeights named_support(const CanvasSettings& settings, core::ThreadPool& pool,
-                                   film::SupportForm form = film::SupportForm::Levels);
 
 /// The cells that a canvas of these settings is to have.
 grid::Extent extent_of(const ResizeCanvas& resize, const CanvasSettings& settings);

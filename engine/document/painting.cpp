@@ -4,6 +4,7 @@
 #include "core/memory.hpp"
 #include "document/actions/perform.hpp"
 #include "document/canvas.hpp"
+#include "document/cloth.hpp"
 #include "document/living_painting.hpp"
 
 #include <chrono>
@@ -14,7 +15,7 @@ namespace {
 
 film::SupportHeights support_by_name(const CanvasSettings& settings, core::ThreadPool& pool) {
     check_canvas_fits(settings, core::available_memory_bytes());
-    return named_support(settings, pool);
+    return heights_of_cloth(settings, pool);
 }
 
 /// Adds the time until the end of the scope to a sum.

@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
+#include "document/cloth.hpp"
 #include "document/contents.hpp"
 #include "document/set_up.hpp"
 #include "document/well.hpp"
@@ -64,7 +65,7 @@ void check_memory(const ZipReader& archive, const document::CanvasSettings& canv
 film::SupportHeights named_support(const ZipReader& archive, const document::CanvasSettings& canvas,
                                    film::SupportForm form, core::ThreadPool& pool) {
     try {
-        return document::named_support(canvas, pool, form);
+        return document::heights_of_cloth(canvas, pool, form);
     } catch (const core::InputError& error) {
         archive.fail(kSetupEntry, error.message());
     }

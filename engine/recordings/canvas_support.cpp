@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
+#include "document/cloth.hpp"
 #include "files/image.hpp"
 #include "film/support/support.hpp"
 #include "grid/turning.hpp"
@@ -30,7 +31,7 @@ film::SupportHeights image_support(const document::CanvasSettings& settings, cor
 film::SupportHeights make_support(const document::CanvasSettings& settings, core::ThreadPool& pool) {
     document::check_canvas_fits(settings, core::available_memory_bytes());
     if (settings.support == "image") return image_support(settings, pool);
-    return document::named_support(settings, pool);
+    return document::heights_of_cloth(settings, pool);
 }
 
 std::unique_ptr<document::Painting> make_painting(const document::CanvasSettings& settings,

@@ -1,5 +1,6 @@
 #include "core/text_file.hpp"
 #include "document/canvas.hpp"
+#include "document/cloth.hpp"
 #include "files/json_place.hpp"
 #include "recordings/action_json.hpp"
 #include "recordings/recording_json.hpp"
@@ -15,10 +16,16 @@ constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
 /// A hundred days of paint time: of a painting that grows for weeks, some of it at 20 times real time.
 constexpr std::int64_t kMaxTick = 100LL * 24 * 3600 * 60;
 
+document::ClothMap read_map(const files::JsonPlace& place) {
+    if (place.size() != 4) place.fail("a map has 4 numbers; here are %1.", place.size());
+    return {place.element(0).number(), place.element(1).number(), place.element(2).number(),
+            place.element(3).number()};
+}
+
 document::CanvasSettings read_canvas(const files::JsonPlace& place) {
     place.allow_only({"width_mm", "height_mm", "px_per_mm", "support", "support_image",
                       "support_relief_mm", "support_mirrored", "support_quarter_turns",
-                      "support_askew_deg", "support_x_mm", "support_y_mm"});
+                      "support_askew_deg", "support_map", "support_x_mm", "support_y_mm"});
     document::CanvasSettings canvas;
     canvas.width_mm = place.entry("width_mm").number();
     canvas.height_mm = place.entry("height_mm").number();
@@ -29,7 +36,9 @@ document::CanvasSettings read_canvas(const files::JsonPlace& place) {
     canvas.support_turn.mirrored = place.boolean_or("support_mirrored", false);
     if (const auto turns = place.optional_entry("support_quarter_turns"))
         canvas.support_turn.quarter_turns = static_cast<int>(turns->integer(0, 3));
-    canvas.support_askew_deg = place.number_or("support_askew_deg", 0.0);
+    if (const auto angle = place.optional_entry("support_askew_deg"))
+        canvas.support_map = document::cloth_turned_by(angle->number());
+    if (const auto map = place.optional_entry("support_map")) canvas.support_map = read_map(*map);
     canvas.support_x_mm = place.number_or("support_x_mm", 0.0);
     canvas.support_y_mm = place.number_or("support_y_mm", 0.0);
     place.guard([&] { document::check_canvas(canvas); });

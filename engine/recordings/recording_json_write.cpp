@@ -39,7 +39,8 @@ files::Json canvas_json(const document::CanvasSettings& canvas) {
     if (canvas.support_turn.mirrored) json["support_mirrored"] = true;
     if (canvas.support_turn.quarter_turns != 0)
         json["support_quarter_turns"] = canvas.support_turn.quarter_turns;
-    if (canvas.support_askew_deg != 0.0) json["support_askew_deg"] = canvas.support_askew_deg;
+    const document::ClothMap& map = canvas.support_map;
+    if (map != document::ClothMap{}) json["support_map"] = {map.xx, map.xy, map.yx, map.yy};
     if (canvas.support_x_mm != 0.0) json["support_x_mm"] = canvas.support_x_mm;
     if (canvas.support_y_mm != 0.0) json["support_y_mm"] = canvas.support_y_mm;
     return json;
@@ -125,8 +126,8 @@ class EntryWriter {
 
 /// The oldest version that can say it: not less than the first that still is written.
 int version_needed(const document::CanvasSettings& canvas) {
-    constexpr int kOldestWritten = 3, kCloth = 6, kTurned = 12, kAskew = 14;
-    if (canvas.support_askew_deg != 0.0) return kAskew;
+    constexpr int kOldestWritten = 3, kCloth = 6, kTurned = 12, kMapped = 15;
+    if (canvas.support_map != document::ClothMap{}) return kMapped;
     if (canvas.support_turn != core::Orientation{}) return kTurned;
     return canvas.support_x_mm != 0.0 || canvas.support_y_mm != 0.0 ? kCloth : kOldestWritten;
 }

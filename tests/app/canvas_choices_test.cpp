@@ -4,6 +4,7 @@
 #include "dialogs/support_choices.hpp"
 #include "document/actions/actions.hpp"
 #include "document/canvas.hpp"
+#include "document/cloth.hpp"
 #include "film/support/support.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ TEST(CanvasChoices, EverySupportIsOneOfTheEngines) {
     for (const dialogs::Support& support : dialogs::supports()) {
         document::CanvasSettings canvas{.width_mm = 10.0, .height_mm = 10.0};
         canvas.support = support.id;
-        EXPECT_NO_THROW(document::named_support(canvas, pool)) << support.id;
+        EXPECT_NO_THROW(document::heights_of_cloth(canvas, pool)) << support.id;
     }
 }
 

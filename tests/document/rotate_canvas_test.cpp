@@ -1,6 +1,8 @@
 // A canvas on which everything is turned by any angle.
 #include "document/canvas.hpp"
+#include "document/cloth.hpp"
 #include "document/error_of.hpp"
+#include "document/heights_apart.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
 #include "document/played.hpp"
@@ -101,21 +103,11 @@ TEST_F(CanvasRotating, ThereAndBackGivesTheVolumeBack) {
     expect_balance();
 }
 
-/// The largest difference of two supports, away from the edges.
-double apart_mm(const film::SupportHeights& a, const film::SupportHeights& b) {
-    constexpr int kEdge = 4;
-    double apart = 0.0;
-    for (int y = kEdge; y < a.shape().height - kEdge; ++y)
-        for (int x = kEdge; x < a.shape().width - kEdge; ++x)
-            apart = std::max<double>(apart, std::abs(a.at(x, y) - b.at(x, y)));
-    return apart;
-}
-
 TEST_F(CanvasRotating, TheClothTurnsWithWhatLiesOnIt) {
     const Snapshot before = painting.snapshot();
     painting.apply(RotateCanvas{30.0, true});
     const Snapshot after = painting.snapshot();
-    EXPECT_EQ(after.bare->settings.support_askew_deg, 30.0);
+    EXPECT_EQ(after.bare->settings.support_map, cloth_turned_by(30.0));
     const layers::Resampling turn = resampling_of(RotateCanvas{30.0, true}, before.bare->settings);
     const film::SupportHeights carried = layers::resampled(before.bare->support_mm, turn, pool);
     int compared = 0;
@@ -123,8 +115,15 @@ TEST_F(CanvasRotating, TheClothTurnsWithWhatLiesOnIt) {
         for (int x = 40; x < 80; ++x, ++compared)
             ASSERT_NEAR(after.bare->support_mm.at(x, y), carried.at(x, y), 1e-5) << x << ", " << y;
     EXPECT_EQ(compared, 1200);
-    EXPECT_EQ(apart_mm(named_support(after.bare->settings, pool), after.bare->support_mm), 0.0)
+    EXPECT_EQ(apart_mm(heights_of_cloth(after.bare->settings, pool), after.bare->support_mm), 0.0)
         << "it is woven anew from its settings";
+}
+
+void expect_map(const ClothMap& map, const ClothMap& expected) {
+    EXPECT_NEAR(map.xx, expected.xx, kRounding);
+    EXPECT_NEAR(map.xy, expected.xy, kRounding);
+    EXPECT_NEAR(map.yx, expected.yx, kRounding);
+    EXPECT_NEAR(map.yy, expected.yy, kRounding);
 }
 
 TEST_F(CanvasRotating, TurnsOfTheClothAddUpAndFoldIntoQuarters) {
@@ -132,29 +131,29 @@ TEST_F(CanvasRotating, TurnsOfTheClothAddUpAndFoldIntoQuarters) {
     painting.apply(RotateCanvas{50.0, true});
     CanvasSettings settings = painting.settings();
     EXPECT_EQ(settings.support_turn, (core::Orientation{false, 1}));
-    EXPECT_NEAR(settings.support_askew_deg, -10.0, kRounding);
-    const film::SupportHeights woven = named_support(settings, pool);
+    expect_map(settings.support_map, cloth_turned_by(-10.0));
+    const film::SupportHeights woven = heights_of_cloth(settings, pool);
     CanvasSettings at_once = rotated(RotateCanvas{80.0, true}, small_canvas());
-    EXPECT_LT(apart_mm(named_support(at_once, pool), woven), 1e-5);
+    EXPECT_LT(apart_mm(heights_of_cloth(at_once, pool), woven), 1e-5);
     settings = rotated(RotateCanvas{-80.0, true}, settings);
     EXPECT_EQ(settings.support_turn, core::Orientation{});
-    EXPECT_NEAR(settings.support_askew_deg, 0.0, kRounding);
+    EXPECT_EQ(settings.support_map, ClothMap{}) << "no rounding is left of it";
     EXPECT_NEAR(settings.support_x_mm, 0.0, kRounding);
 }
 
 TEST_F(CanvasRotating, AClothThatLiesAskewIsCutEnlargedAndMirroredInItsPlace) {
     const CanvasSettings askew = rotated(RotateCanvas{20.0}, small_canvas());
-    const film::SupportHeights woven = named_support(askew, pool);
+    const film::SupportHeights woven = heights_of_cloth(askew, pool);
     const CanvasSettings larger =
         resized({-2.0, -3.0, askew.width_mm + 5.0, askew.height_mm + 5.0}, askew);
-    const film::SupportHeights around = named_support(larger, pool);
+    const film::SupportHeights around = heights_of_cloth(larger, pool);
     const CanvasSettings mirror = turned(core::Orientation{true, 1}, askew);
-    const film::SupportHeights mirrored = named_support(mirror, pool);
+    const film::SupportHeights mirrored = heights_of_cloth(mirror, pool);
     const film::SupportHeights told = layers::turned(woven, core::Orientation{true, 1}, pool);
     for (int y = 4; y < woven.shape().height - 4; ++y)
         for (int x = 4; x < woven.shape().width - 4; ++x)
             ASSERT_NEAR(around.at(x + 6, y + 9), woven.at(x, y), 1e-5) << x << ", " << y;
-    EXPECT_EQ(mirror.support_askew_deg, -20.0);
+    expect_map(mirror.support_map, cloth_turned_by(-20.0));
     ASSERT_EQ(mirrored.shape(), told.shape());
     EXPECT_LT(apart_mm(mirrored, told), 1e-5);
 }

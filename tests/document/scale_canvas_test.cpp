@@ -1,10 +1,14 @@
 // A canvas that is drawn out, or made of other cells, with all that lies on it.
+#include "document/cloth.hpp"
 #include "document/error_of.hpp"
+#include "document/heights_apart.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
 #include "document/played.hpp"
 #include "document/scenes.hpp"
+#include "layers/turning.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include <gmock/gmock.h>
@@ -83,10 +87,79 @@ TEST_F(CanvasScaling, NarrowedItLosesWhatItHasNoRoomFor) {
 TEST_F(CanvasScaling, TheClothIsWovenAnew) {
     painting.apply(kFiner);
     const Snapshot after = painting.snapshot();
-    const film::SupportHeights anew = named_support(after.bare->settings, pool);
+    const film::SupportHeights anew = heights_of_cloth(after.bare->settings, pool);
     for (int y = 0; y < anew.shape().height; ++y)
         for (int x = 0; x < anew.shape().width; ++x)
             ASSERT_EQ(after.bare->support_mm.at(x, y), anew.at(x, y)) << x << ", " << y;
+}
+
+TEST_F(CanvasScaling, TheClothIsDrawnOutWithWhatLiesOnIt) {
+    const Snapshot before = painting.snapshot();
+    const ScaleCanvas uneven{1.3, 1.7, 1.0};
+    painting.apply(uneven);
+    const Snapshot after = painting.snapshot();
+    EXPECT_EQ(after.bare->settings.support_map, (ClothMap{1.3, 0.0, 0.0, 1.7}));
+    const film::SupportHeights carried =
+        layers::resampled(before.bare->support_mm, resampling_of(uneven, before.bare->settings), pool);
+    EXPECT_LT(apart_mm(after.bare->support_mm, carried), 1e-5);
+    EXPECT_EQ(apart_mm(after.bare->support_mm, heights_of_cloth(after.bare->settings, pool)), 0.0)
+        << "it is woven anew from its settings";
+}
+
+TEST_F(CanvasScaling, ANarrowedClothIsTheMeanOfTheOneBefore) {
+    const Snapshot before = painting.snapshot();
+    const ScaleCanvas half{0.5, 0.5, 1.0};
+    const film::SupportHeights carried =
+        layers::resampled(before.bare->support_mm, resampling_of(half, before.bare->settings), pool);
+    const film::SupportHeights narrowed = heights_of_cloth(scaled(half, before.bare->settings), pool);
+    double difference_mm2 = 0.0, relief_mm2 = 0.0;
+    for (int y = 4; y < narrowed.shape().height - 4; ++y)
+        for (int x = 4; x < narrowed.shape().width - 4; ++x) {
+            difference_mm2 += std::pow(narrowed.at(x, y) - carried.at(x, y), 2);
+            relief_mm2 += std::pow(carried.at(x, y), 2);
+        }
+    EXPECT_LT(std::sqrt(difference_mm2 / relief_mm2), 0.05);
+}
+
+TEST_F(CanvasScaling, DrawnOutAndNarrowedAgainTheClothIsTheSame) {
+    const CanvasSettings there = scaled(ScaleCanvas{1.3, 0.7, 1.0}, small_canvas());
+    CanvasSettings turned_there = rotated(RotateCanvas{40.0, true}, there);
+    EXPECT_NE(turned_there.support_map, there.support_map);
+    turned_there = rotated(RotateCanvas{-40.0, true}, turned_there);
+    const CanvasSettings back = scaled(ScaleCanvas{1.0 / 1.3, 1.0 / 0.7, 1.0}, turned_there);
+    EXPECT_EQ(back.support_map, ClothMap{});
+    EXPECT_EQ(back.support_turn, core::Orientation{});
+    EXPECT_NEAR(back.support_x_mm, 0.0, 1e-9);
+    EXPECT_NEAR(back.support_y_mm, 0.0, 1e-9);
+}
+
+TEST_F(CanvasScaling, ATurnSwapsHowTheClothIsDrawnOut) {
+    const CanvasSettings uneven = scaled(ScaleCanvas{1.3, 0.7, 1.0}, small_canvas());
+    for (const core::Orientation turn : {core::Orientation{false, 1}, core::Orientation{true, 3}}) {
+        const CanvasSettings turned_cloth = turned(turn, uneven);
+        EXPECT_EQ(turned_cloth.support_map, (ClothMap{0.7, 0.0, 0.0, 1.3}));
+        EXPECT_LT(apart_mm(heights_of_cloth(turned_cloth, pool),
+                           layers::turned(heights_of_cloth(uneven, pool), turn, pool)),
+                  1e-5);
+    }
+}
+
+TEST_F(CanvasScaling, AClothThatIsDrawnOutGoesOnWhereTheCanvasIsMadeLarger) {
+    const CanvasSettings drawn = scaled(ScaleCanvas{1.3, 1.3, 1.0}, small_canvas());
+    const CanvasSettings larger =
+        resized({-2.0, -3.0, drawn.width_mm + 5.0, drawn.height_mm + 5.0}, drawn);
+    const film::SupportHeights woven = heights_of_cloth(drawn, pool),
+                               around = heights_of_cloth(larger, pool);
+    for (int y = 4; y < woven.shape().height - 4; ++y)
+        for (int x = 4; x < woven.shape().width - 4; ++x)
+            ASSERT_NEAR(around.at(x + 6, y + 9), woven.at(x, y), 1e-5) << x << ", " << y;
+}
+
+TEST_F(CanvasScaling, ClothsThatWouldBeDrawnOutTooFarAreRefused) {
+    CanvasSettings narrow = scaled(ScaleCanvas{0.05, 0.05, 1.0}, small_canvas());
+    narrow.width_mm = narrow.height_mm = 100.0;
+    narrow = scaled(ScaleCanvas{0.05, 0.05, 1.0}, narrow);
+    EXPECT_THROW(scaled(ScaleCanvas{0.9, 1.0, 1.0}, narrow), core::InputError);
 }
 
 TEST_F(CanvasScaling, ItGoesOnAsAPaintingOfThoseCells) {

@@ -1,4 +1,5 @@
 // A canvas that is mirrored and turned with all that lies on it.
+#include "document/cloth.hpp"
 #include "document/error_of.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
@@ -102,7 +103,7 @@ TEST_F(CanvasTurning, ItsClothIsTheTurnedClothWhereverItIsMadeAnew) {
     for (const core::Orientation& turn : {kRight, kMirror, core::Orientation{true, 1}}) {
         painting.apply(TurnCanvas{turn});
         const BareCanvas bare = *painting.snapshot().bare;
-        const film::SupportHeights anew = named_support(bare.settings, pool);
+        const film::SupportHeights anew = heights_of_cloth(bare.settings, pool);
         for (int y = 0; y < anew.shape().height; ++y)
             for (int x = 0; x < anew.shape().width; ++x)
                 ASSERT_EQ(anew.at(x, y), bare.support_mm.at(x, y)) << x << ", " << y;

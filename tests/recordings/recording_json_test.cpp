@@ -4,6 +4,7 @@
 #include "core/text_file.hpp"
 #include "document/error_of.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <unistd.h>
 
@@ -247,8 +248,8 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":15,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 15; this program reads up to 14).");
+        error(R"({"format":"pastoso-strokes","version":16,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 16; this program reads up to 15).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {
@@ -515,17 +516,35 @@ TEST(RecordingJson, SaysThatItsClothWasTurned) {
               "s.json, canvas.support_quarter_turns: 4 is not between 0 and 3.");
 }
 
-TEST(RecordingJson, SaysThatItsClothLiesAskew) {
+TEST(RecordingJson, SaysHowItsClothWasTurnedAndDrawnOut) {
     Recording recording;
-    recording.canvas.support_askew_deg = -7.5;
+    recording.canvas.support_map = {1.25, -0.5, 0.75, 1.0 / 3.0};
     recording.canvas.support_x_mm = 1.0 / 3.0;
     const std::string text = recording_to_json(recording);
-    EXPECT_THAT(text, HasSubstr("\"version\": 14,"));
+    EXPECT_THAT(text, HasSubstr("\"version\": 15,"));
     EXPECT_EQ(recording_from_json(text, "s.json"), recording);
-    EXPECT_EQ(error(R"({"format":"pastoso-strokes","version":14,"canvas":{"width_mm":9,"height_mm":9,)"
-                    R"("support_askew_deg":46},"end_tick":0,"events":[]})"),
-              "s.json, canvas: The angle of the cloth of the canvas is 46 degrees, but must lie between "
-              "-45 and 45.");
+    const auto error_of_map = [](const std::string& map) {
+        return error(R"({"format":"pastoso-strokes","version":15,"canvas":{"width_mm":9,"height_mm":9,)"
+                     R"("support_map":)" +
+                     map + R"(},"end_tick":0,"events":[]})");
+    };
+    EXPECT_EQ(error_of_map("[1, 0, 0]"), "s.json, canvas.support_map: a map has 4 numbers; here are 3.");
+    EXPECT_EQ(error_of_map("[1, 0, 0, 401]"),
+              "s.json, canvas: The width of the cloth's threads of the canvas is 40100 %, but must lie "
+              "between 0.25 and 40000.");
+    EXPECT_EQ(error_of_map("[1, 2, 1, 2]"),
+              "s.json, canvas: The width of the cloth's threads of the canvas is 0 %, but must lie "
+              "between 0.25 and 40000.");
+}
+
+TEST(RecordingJson, ReadsTheAngleOfACloth) {
+    const Recording recording = recording_from_json(
+        R"({"format":"pastoso-strokes","version":14,"canvas":{"width_mm":9,"height_mm":9,)"
+        R"("support_askew_deg":-30},"end_tick":0,"events":[]})",
+        "s.json");
+    EXPECT_NEAR(recording.canvas.support_map.xx, std::sqrt(0.75), 1e-15);
+    EXPECT_NEAR(recording.canvas.support_map.xy, 0.5, 1e-15);
+    EXPECT_NEAR(recording.canvas.support_map.yx, -0.5, 1e-15);
 }
 
 TEST(RecordingJson, RefusesAbsurdCanvases) {

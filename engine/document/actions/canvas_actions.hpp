@@ -39,8 +39,8 @@ struct TurnCanvas {
 };
 
 /// Draws the canvas out with all that lies on it, and makes it of finer or coarser cells: layers,
-/// selection and tracing. Paint keeps its thickness. The cloth is the same, with threads as wide as they
-/// were; an image is drawn out too. Guides, symmetry and fan stay at their millimetres.
+/// selection and tracing. Paint keeps its thickness. The cloth, or its image, is drawn out with it.
+/// Guides, symmetry and fan stay at their millimetres.
 struct ScaleCanvas {
     double scale_x = 1.0, scale_y = 1.0;  ///< of the sides in mm
     double finer = 1.0;                   ///< cells a millimetre, times those there were
