@@ -15,6 +15,9 @@ namespace {
 
 constexpr int kFewestBristles = 30;
 constexpr int kMostBristles = 250;
+/// Tips that are wider than this have more, as many as it takes for the outline not to become a row of
+/// large spots.
+constexpr double kWide_mm = 60.0;
 
 /// The tool that a single word means.
 constexpr std::pair<std::string_view, std::string_view> kShortNames[] = {{"flat", "Flat bristle 20"},
@@ -99,8 +102,9 @@ Preset resized(const Preset& preset, double width_mm) {
     const bool row = is_row(preset.tip.shape), rolls = preset.tip.girth_mm > 0.0;
     const auto scaled = static_cast<int>(std::lround(count * (row || rolls ? scale : scale * scale)));
     if (row) result.paint.leave = std::min(1.0, scale * preset.paint.leave);
-    result.tip.bristles =
-        std::clamp(scaled, std::min(count, kFewestBristles), std::max(count, kMostBristles));
+    const double wide = std::max(1.0, result.tip.width_mm / kWide_mm);
+    const auto most = static_cast<int>(std::lround(kMostBristles * wide));
+    result.tip.bristles = std::clamp(scaled, std::min(count, kFewestBristles), std::max(count, most));
     return result;
 }
 

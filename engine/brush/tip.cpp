@@ -55,16 +55,39 @@ double depth_of(const TipPreset& tip) {
     return tip.shape == TipShape::Round ? tip.width_mm : tip.thickness_mm;
 }
 
+double outline_area_mm2(const TipPreset& tip) {
+    const double box_mm2 = tip.width_mm * depth_of(tip);
+    return is_oval(tip) ? core::kPi / 4.0 * box_mm2 : box_mm2;
+}
+
+/// Radius of a footprint against the distance of the elements. Those of hairs pass one after the other
+/// over a place; what rolls or stamps has to cover it with those that happen to stand there.
+double footprint_share(const TipPreset& tip) {
+    constexpr double kSliding = 0.72, kStanding = 1.1;
+    return tip.girth_mm > 0.0 || tip.pores_mm > 0.0 ? kStanding : kSliding;
+}
+
+double footprint_mm(const TipPreset& tip) {
+    return footprint_share(tip) * std::sqrt(outline_area_mm2(tip) / tip.bristles);
+}
+
+/// How far elements stand from the middle, of half the width: no footprint of a roller reaches beyond
+/// its ends, so that its mark ends straight.
+double farthest_u(const TipPreset& tip) {
+    return tip.girth_mm > 0.0 ? std::max(0.0, 1.0 - 2.0 * footprint_mm(tip) / tip.width_mm) : HUGE_VAL;
+}
+
 std::vector<Place> places(const TipPreset& tip, std::uint32_t seed) {
     const double depth_mm = depth_of(tip);
     const double distance_mm = std::sqrt(tip.width_mm * depth_mm / tip.bristles);
     const Place shake = {2.0 * distance_mm / tip.width_mm, 2.0 * distance_mm / depth_mm};
+    const double farthest = farthest_u(tip);
     std::vector<Place> result;
     for (std::uint32_t index = 0; static_cast<int>(result.size()) < tip.bristles; ++index) {
         const Place place = spread_place(index, seed, shake);
         const bool outside = place.u * place.u + place.v * place.v > 1.0;
         if (is_oval(tip) && outside) continue;
-        result.push_back(place);
+        result.push_back({std::clamp(place.u, -farthest, farthest), place.v});
     }
     return result;
 }
@@ -280,18 +303,6 @@ Bristle make_bristle(const Preset& preset, const Place& place, std::uint32_t ind
     return bristle;
 }
 
-double outline_area_mm2(const TipPreset& tip) {
-    const double box_mm2 = tip.width_mm * depth_of(tip);
-    return is_oval(tip) ? core::kPi / 4.0 * box_mm2 : box_mm2;
-}
-
-/// Radius of a footprint against the distance of the elements. Those of hairs pass one after the other
-/// over a place; what rolls or stamps has to cover it with those that happen to stand there.
-double footprint_share(const TipPreset& tip) {
-    constexpr double kSliding = 0.72, kStanding = 1.1;
-    return tip.girth_mm > 0.0 || tip.pores_mm > 0.0 ? kStanding : kSliding;
-}
-
 /// The four nearest of every bristle, each pair once, in order.
 std::vector<std::pair<int, int>> nearest_pairs(const std::vector<Bristle>& bristles) {
     constexpr std::size_t kNearest = 4;
@@ -350,8 +361,7 @@ Tip make_tip(const Preset& preset, std::uint32_t seed, const Gathering& gatherin
     tip.half_width_mm = 0.5 * preset.tip.width_mm;
     tip.area_mm2 = outline_area_mm2(preset.tip) / count;
     tip.capacity_mm3 = full_film_mm(preset) * preset.paint.run_mm * preset.tip.width_mm / count;
-    tip.radius_mm =
-        row ? 0.5 * preset.tip.thickness_mm : footprint_share(preset.tip) * std::sqrt(tip.area_mm2);
+    tip.radius_mm = row ? 0.5 * preset.tip.thickness_mm : footprint_mm(preset.tip);
     const double lane_share = preset.tip.shape == TipShape::Comb ? 0.5 * preset.tip.tooth : 1.0;
     tip.lane_mm = row ? lane_share * preset.tip.width_mm / count : 0.0;
     const double gathered = gathered_share(preset.paint, gathering);

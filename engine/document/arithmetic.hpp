@@ -11,7 +11,9 @@ namespace pastoso::document {
 /// 4: the film's laws are the same in every direction and at every step length (decision 0067). 5: how
 /// long paint waits for its step goes by millimetres where cells are fine (film/tile_activity.hpp). 6:
 /// paint lies in layers only where it is told apart by more than rounding (brush/transfer_kernels.cpp).
-inline constexpr int kArithmetic = 6;
+/// 7: tips that are wider than 60 mm have more bristles, and the marks of rollers end straight
+/// (brush/preset.cpp, brush/tip.cpp); the cloth is drawn out with a painting that is scaled (cloth.hpp).
+inline constexpr int kArithmetic = 7;
 
 /// What a painter should know of strokes of an earlier arithmetic, as the end of a sentence on them;
 /// empty for those of the present one.

@@ -285,7 +285,8 @@ TEST(Resized, ScalesTheTipInProportion) {
     EXPECT_DOUBLE_EQ(small.tip.point_mm, 3.375);
     EXPECT_EQ(small.tip.bristles, 65);
     EXPECT_EQ(resized(find_preset("knife"), 8.5).tip.bristles, 35);
-    EXPECT_EQ(resized(find_preset("flat"), 100.0).tip.bristles, 250);
+    EXPECT_EQ(resized(find_preset("flat"), 60.0).tip.bristles, 250);
+    EXPECT_EQ(resized(find_preset("flat"), 120.0).tip.bristles, 500);
     EXPECT_EQ(resized(find_preset("flat"), 0.5).tip.bristles, 30);
     EXPECT_EQ(resized(find_preset("flat"), 0.0).tip.width_mm, 20.0);
     const Preset roller = resized(find_preset("roller"), 25.0);

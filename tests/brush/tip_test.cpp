@@ -35,6 +35,18 @@ TEST(Tip, KeepsARoundWithinItsCircle) {
     }
 }
 
+TEST(Tip, EndsTheMarkOfARollerStraight) {
+    const Preset preset = resized(find_preset("roller"), 20.0);
+    const Tip tip = make_tip(preset, 1);
+    const double end_mm = 0.5 * preset.tip.width_mm - tip.radius_mm;
+    int at_the_end = 0;
+    for (const Bristle& bristle : tip.bristles) {
+        ASSERT_LE(std::abs(bristle.root_x_mm), end_mm + 1e-5);
+        at_the_end += bristle.root_x_mm > end_mm - 1e-5 ? 1 : 0;
+    }
+    EXPECT_GT(2.0 * tip.radius_mm * at_the_end, preset.tip.girth_mm) << "they close the line";
+}
+
 TEST(Tip, PointsARoundAndAFilbert) {
     const Tip round = make_tip(studio::round_preset(10.0), 1);
     for (const Bristle& bristle : round.bristles) {

@@ -445,7 +445,7 @@ TEST(RecordingJson, WithoutTheWellOlderProgramsCanReadIt) {
 
 TEST(RecordingJson, KnowsTheArithmeticThatItWasPaintedWith) {
     const std::string now = recording_to_json(Recording{});
-    EXPECT_THAT(now, HasSubstr("\"version\": 9,\n\"arithmetic\": 6,"));
+    EXPECT_THAT(now, HasSubstr("\"version\": 9,\n\"arithmetic\": 7,"));
     EXPECT_EQ(recording_from_json(now, "s.json").arithmetic, document::kArithmetic);
     EXPECT_EQ(recording_from_json(file_with(R"({"tick":3,"clean_brush":{}})"), "s.json").arithmetic, 1)
         << "that says nothing";
@@ -453,8 +453,8 @@ TEST(RecordingJson, KnowsTheArithmeticThatItWasPaintedWith) {
     early.arithmetic = 1;
     EXPECT_EQ(recording_from_json(recording_to_json(early), "s.json"), early);
     std::string later = now;
-    later.replace(later.find("\"arithmetic\": 6"), 15, "\"arithmetic\": 7");
-    EXPECT_EQ(error(later), "s.json, arithmetic: 7 is not between 1 and 6.");
+    later.replace(later.find("\"arithmetic\": 7"), 15, "\"arithmetic\": 8");
+    EXPECT_EQ(error(later), "s.json, arithmetic: 8 is not between 1 and 7.");
 }
 
 /// Whichever arithmetic it was painted with.

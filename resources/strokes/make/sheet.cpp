@@ -18,6 +18,7 @@ constexpr const char* kCaptions[kSheetRows][kSheetColumns] = {
     {"lifting knife", "comb", "rag", "cotton bud and eraser", "blotting pad", "fingertip"},
     {"dropper", "spray can", "airbrush", "spatter", "pouring bottle", "straw"},
     {"thinner brush", "large flat", "fine comb", "air blower", "soft glazing flat", "symmetry"},
+    {"nib and ruling pen", "charcoal and pastel", "sponge", "roller", "squeegee", "marbling comb"},
     {"tints", "tints", "yellow and blue", "yellow with red and black", "greys in white",
      "violets in white"}};
 
@@ -48,6 +49,7 @@ document::Recording sheet() {
     paint_sheet_effects(painter);
     paint_sheet_colours(painter);
     paint_sheet_tools(painter);
+    paint_sheet_workshop(painter);
     write_captions(painter);
     return painter.finish(0.1);
 }

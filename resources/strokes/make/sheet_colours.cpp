@@ -38,18 +38,18 @@ void mixing_row(Painter& painter, const Field& field, double y_mm, const std::st
 }  // namespace
 
 void paint_sheet_colours(Painter& painter) {
-    tint_ladder(painter, Field(0, 7), 14, "PB15:3");
-    tint_ladder(painter, Field(0, 7), 28, "PR122");
-    tint_ladder(painter, Field(1, 7), 14, "PG7");
-    tint_ladder(painter, Field(1, 7), 28, "PB29");
-    mixing_row(painter, Field(2, 7), 14, "PY74", "PB15:3", 20);
-    mixing_row(painter, Field(2, 7), 28, "PY35", "PB29", 1);
-    mixing_row(painter, Field(3, 7), 14, "PY74", "PR254", 3);
-    mixing_row(painter, Field(3, 7), 28, "PY35", "PBk9", 4);
-    mixing_row(painter, Field(4, 7), 14, "PBr7-BU", "PB29", 1, " PW6=2");
-    mixing_row(painter, Field(4, 7), 28, "PR101", "PG18", 1, " PW6=3");
-    mixing_row(painter, Field(5, 7), 14, "PR122", "PB29", 1, " PW6=2");
-    mixing_row(painter, Field(5, 7), 28, "PV19", "PB15:3", 4, " PW6=6");
+    tint_ladder(painter, Field(0, 8), 14, "PB15:3");
+    tint_ladder(painter, Field(0, 8), 28, "PR122");
+    tint_ladder(painter, Field(1, 8), 14, "PG7");
+    tint_ladder(painter, Field(1, 8), 28, "PB29");
+    mixing_row(painter, Field(2, 8), 14, "PY74", "PB15:3", 20);
+    mixing_row(painter, Field(2, 8), 28, "PY35", "PB29", 1);
+    mixing_row(painter, Field(3, 8), 14, "PY74", "PR254", 3);
+    mixing_row(painter, Field(3, 8), 28, "PY35", "PBk9", 4);
+    mixing_row(painter, Field(4, 8), 14, "PBr7-BU", "PB29", 1, " PW6=2");
+    mixing_row(painter, Field(4, 8), 28, "PR101", "PG18", 1, " PW6=3");
+    mixing_row(painter, Field(5, 8), 14, "PR122", "PB29", 1, " PW6=2");
+    mixing_row(painter, Field(5, 8), 28, "PV19", "PB15:3", 4, " PW6=6");
 }
 
 }  // namespace pastoso::examples

@@ -5,7 +5,7 @@
 
 namespace pastoso::examples {
 
-inline constexpr int kSheetColumns = 6, kSheetRows = 8;
+inline constexpr int kSheetColumns = 6, kSheetRows = 9;
 
 /// A field of the sheet.
 struct Field {
@@ -24,10 +24,12 @@ void paint_sheet_grounds(Painter& painter);
 
 /// Runny paint, which has to be dry too before the rest is painted: it would go on running.
 void paint_sheet_fluids(Painter& painter);
+void paint_sheet_marbling(Painter& painter);
 
 void paint_sheet_brushes(Painter& painter);
 void paint_sheet_effects(Painter& painter);
 void paint_sheet_tools(Painter& painter);
+void paint_sheet_workshop(Painter& painter);
 void paint_sheet_colours(Painter& painter);
 
 }  // namespace pastoso::examples

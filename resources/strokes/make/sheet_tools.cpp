@@ -29,10 +29,14 @@ void two_bands(Painter& painter, const Field& field) {
 
 void knives(Painter& painter) {
     const Field knife(2, 3), spread(3, 3), scrape(4, 3), diamond(5, 3), lift(0, 4);
-    two_bands(painter, knife);
-    painter.take("Palette knife 17");
-    paint_held(painter, Curve({knife.at(16, 21), knife.at(34, 23), knife.at(56, 21.5)}), 30,
-               {0.55, 0.04, 0.04}, 76);
+    const char* slabs[] = {"PG18 PW6=0.5", "PB28 PW6=0.8", "PW6 PY43=0.08", "PY43 PO20=0.3"};
+    for (int i = 0; i < 4; ++i) {
+        painter.take("Palette knife 17", 13);
+        painter.dip(load(mixture(slabs[i]), mixture("PW6"), 0.25, 0.8));
+        const Point from = knife.at(9.0 + 12.0 * i, i % 2 == 0 ? 17 : 28);
+        paint_held(painter, Curve({from, from + Point{8, 1}, from + Point{17, -1}}), 30,
+                   {0.4, 0.06, 0.2}, 86);
+    }
     painter.take("Spreading knife 40", 22);
     painter.dip(load(mixture("PO20 PW6=0.4"), mixture("PW6"), 0.4, 0.9));
     paint_held(painter, Curve({spread.at(10, 23), spread.at(58, 22)}), 35, {0.4, 0.06, 0.1}, 84);
@@ -196,6 +200,8 @@ void paint_sheet_fluids(Painter& painter) {
     straw(painter, Field(5, 5));
     painter.dry_now();
     air_blower(painter, Field(3, 6));
+    painter.dry_now();
+    paint_sheet_marbling(painter);
     painter.dry_now();
     drops(painter);
     painter.wait(0.3);
