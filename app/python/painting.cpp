@@ -181,9 +181,8 @@ void add_painting(py::module_& module) {
             },
             "What recording() gives, as JSON.")
         .def("layers", &layers_of,
-             "The layers from below, dicts: number, name, visible, locked, bare_locked, opacity, group "
-             "(0: none), "
-             "active.")
+             "The layers from below, dicts: number, name, visible, locked, bare_locked, clipped, "
+             "opacity, group (0: none), active.")
         .def("account", &account_of,
              "Where all paint is, mm3: taken_mm3 from the tubes = canvas + dried + brush + well + "
              "ledger (what was\n"

@@ -62,6 +62,7 @@ py::list layers_of(PaintingWork& work) {
         entry["visible"] = layer.look.visible;
         entry["locked"] = layer.look.locked;
         entry["bare_locked"] = layer.look.bare_locked;
+        entry["clipped"] = layer.look.clipped;
         entry["opacity"] = layer.look.opacity;
         entry["group"] = layer.group;
         entry["active"] = i == snapshot.layers->active;

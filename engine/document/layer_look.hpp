@@ -24,6 +24,7 @@ struct LayerLook {
     bool locked = false;   ///< nothing is painted on it, cleared or merged
     double opacity = 1.0;  ///< of what its paint does to light, 0 to 1; its relief stays
     bool bare_locked = false;  ///< tools change only what of it has paint when they begin
+    bool clipped = false;  ///< of a layer: only what lies over the layer below shows (clipping_base())
     friend bool operator==(const LayerLook&, const LayerLook&) = default;
 };
 

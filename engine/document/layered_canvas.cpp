@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "grid/turning.hpp"
+#include "layers/clipping.hpp"
 #include "layers/cutting.hpp"
 #include "layers/extent.hpp"
 #include "layers/flat_paint.hpp"
@@ -64,6 +65,16 @@ void check_room(const LayerStack& stack) {
     throw core::InputError("a painting has at most %1 layers.", kMostLayers);
 }
 
+/// How a new layer over the one at `place` shows. What is clipped and lies above goes on being clipped
+/// to what it was, and not to the new layer.
+LayerLook new_look(const LayerStack& stack, std::size_t place, const std::string& name) {
+    const auto above = stack.layers.begin() + static_cast<std::ptrdiff_t>(place) + 1;
+    const auto next = std::find_if(above, stack.layers.end(), [&](const Layer& layer) {
+        return layer.group == stack.layers[place].group;
+    });
+    return {.name = name, .clipped = next != stack.layers.end() && next->look.clipped};
+}
+
 /// Puts a new layer over the one at `place`, into the same group, and makes it active.
 void insert_above(LayerStack& stack, std::size_t place, LayerLook look, InactiveFilm film) {
     const Layer layer{stack.next_layer++, stack.layers[place].group, std::move(look), std::move(film)};
@@ -84,22 +95,42 @@ film::FilmState opaque(const film::FilmState& layer, double opacity, core::Threa
     return layers::merged(film::FilmState(layer.shape, layer.cell_mm), layer, opacity, pool);
 }
 
-/// In one group, what the group says holds for the result as well; otherwise the result is in none.
-void merge_onto_lower(LayerStack& stack, std::size_t upper, core::ThreadPool& pool) {
+/// Of a layer of a stack in which all are inactive. What is hidden of it is added to `wiped`.
+film::FilmState take_shown(const LayerStack& stack, std::size_t place, LayerPaint& wiped) {
+    const film::FilmState& layer = *stack.layers[place].inactive;
+    const auto onto = clipped_to(stack, place);
+    if (!onto) return layer;
+    layers::ClippedLayer parts = layers::clipped(layer, *stack.layers[*onto].inactive);
+    add(paint_on(parts.hidden), wiped);
+    return std::move(parts.shown);
+}
+
+/// In one group, what the group says holds for the result as well; otherwise the result is in none. Of
+/// two that are clipped to the same layer, the result is so as well, and nothing is lost; otherwise only
+/// what shows is merged. Returns what is wiped off.
+LayerPaint merge_onto_lower(LayerStack& stack, std::size_t upper, core::ThreadPool& pool) {
     const std::size_t lower = upper - 1;
-    const Layer above = stack.layers[upper];
+    const Layer& above = stack.layers[upper];
     Layer& below = stack.layers[lower];
     const bool same_group = above.group == below.group;
+    const bool stays_clipped = same_group && above.look.clipped && below.look.clipped;
     const auto opacity = [&](std::size_t place) {
-        return same_group ? stack.layers[place].look.opacity : effective_look(stack, place).opacity;
+        if (stays_clipped) return stack.layers[place].look.opacity;
+        return (same_group ? look_in_group(stack, place) : effective_look(stack, place)).opacity;
     };
-    const film::FilmState ground = opaque(*below.inactive, opacity(lower), pool);
-    below.inactive = inactive_film(layers::merged(ground, *above.inactive, opacity(upper), pool));
+    LayerPaint wiped;
+    const auto taken = [&](std::size_t place) {
+        return stays_clipped ? *stack.layers[place].inactive : take_shown(stack, place, wiped);
+    };
+    const film::FilmState ground = opaque(taken(lower), opacity(lower), pool);
+    below.inactive = inactive_film(layers::merged(ground, taken(upper), opacity(upper), pool));
     below.look.opacity = 1.0;
+    below.look.clipped = stays_clipped;
     if (!same_group) below.group = 0;
     const bool was_active = stack.active == upper;
     erase_layer(stack, upper);
     if (was_active) stack.active = lower;
+    return wiped;
 }
 
 film::FilmState transformed(const film::FilmState& layer, const layers::Projective& map_cells,
@@ -116,12 +147,13 @@ std::vector<std::size_t> visible_places(const LayerStack& stack) {
     return places;
 }
 
+/// What shows of them, merged; what does not is added to `hidden`.
 film::FilmState flattened(const LayerStack& stack, const std::vector<std::size_t>& places,
-                          core::ThreadPool& pool) {
+                          LayerPaint& hidden, core::ThreadPool& pool) {
     const auto opacity = [&](std::size_t place) { return effective_look(stack, place).opacity; };
-    film::FilmState sum = opaque(*stack.layers[places[0]].inactive, opacity(places[0]), pool);
+    film::FilmState sum = opaque(take_shown(stack, places[0], hidden), opacity(places[0]), pool);
     for (std::size_t i = 1; i < places.size(); ++i)
-        sum = layers::merged(sum, *stack.layers[places[i]].inactive, opacity(places[i]), pool);
+        sum = layers::merged(sum, take_shown(stack, places[i], hidden), opacity(places[i]), pool);
     return sum;
 }
 
@@ -142,6 +174,7 @@ void add_to_hash(const film::FilmState& film, const Layer& layer, core::Hash64& 
     hash.add_value(layer.look.visible);
     hash.add_value(layer.look.locked);
     hash.add_value(layer.look.bare_locked);
+    hash.add_value(layer.look.clipped);
     hash.add_value(layer.look.opacity);
 }
 
@@ -161,21 +194,34 @@ film::FilmState in_cells_of(const film::FilmState& canvas, const film::FilmState
 }
 
 std::vector<layers::SeenLayer> seen_layers(const LayerStack& stack, const film::FilmState& active) {
+    const auto film_at = [&](std::size_t place) {
+        return place == stack.active ? &active : stack.layers[place].inactive.get();
+    };
     std::vector<layers::SeenLayer> seen;
     for (std::size_t place = 0; place < stack.layers.size(); ++place) {
         const LayerLook look = effective_look(stack, place);
-        const film::FilmState* layer =
-            place == stack.active ? &active : stack.layers[place].inactive.get();
-        if (look.visible) seen.push_back({layer, look.opacity});
+        const auto onto = clipped_to(stack, place);
+        if (look.visible)
+            seen.push_back({film_at(place), look.opacity, onto ? film_at(*onto) : nullptr});
     }
     return seen;
 }
 
+/// A layer and what it is clipped to; null: nothing.
+struct ClippedFilm {
+    InactiveFilm film, onto;
+    friend bool operator==(const ClippedFilm&, const ClippedFilm&) = default;
+};
+
 /// What the active layer lies on besides the bare support.
-LayerFilms films_below_active(const LayerStack& stack) {
-    LayerFilms films;
-    for (std::size_t place = 0; place < stack.active; ++place)
-        if (effective_look(stack, place).visible) films.push_back(stack.layers[place].inactive);
+std::vector<ClippedFilm> films_below_active(const LayerStack& stack) {
+    std::vector<ClippedFilm> films;
+    for (std::size_t place = 0; place < stack.active; ++place) {
+        if (!effective_look(stack, place).visible) continue;
+        const auto onto = clipped_to(stack, place);
+        films.push_back(
+            {stack.layers[place].inactive, onto ? stack.layers[*onto].inactive : InactiveFilm()});
+    }
     return films;
 }
 
@@ -196,9 +242,17 @@ LayerFilms layers_apart(const film::FilmState& film, const film::SupportHeights&
     return films;
 }
 
+LayerFilms shown_layers(LayerFilms films, const LayerStack& stack) {
+    const LayerFilms whole = films;
+    for (std::size_t place = 0; place < films.size(); ++place)
+        if (const auto onto = clipped_to(stack, place))
+            films[place] = inactive_film(layers::clipped(*whole[place], *whole[*onto]).shown);
+    return films;
+}
+
 film::SupportHeights base_below_active(const LayerStack& stack, film::SupportHeights bare_mm) {
-    for (const auto& film : films_below_active(stack))
-        layers::raise_by(*film, bare_mm);
+    for (const auto& [film, onto] : films_below_active(stack))
+        layers::raise_by(onto ? layers::clipped(*film, *onto).shown : *film, bare_mm);
     return bare_mm;
 }
 
@@ -309,7 +363,7 @@ void LayeredCanvas::rearrange(const std::function<void(LayerStack&)>& change) {
 void LayeredCanvas::add(const AddLayer& added) {
     rearrange([&](LayerStack& stack) {
         check_room(stack);
-        insert_above(stack, stack.active, {.name = added.name},
+        insert_above(stack, stack.active, new_look(stack, stack.active, added.name),
                      inactive_film(film::FilmState(painting_.film.shape, painting_.film.cell_mm)));
     });
 }
@@ -344,17 +398,20 @@ void LayeredCanvas::ungroup(const UngroupLayers& ungroup) {
     rearrange([&](LayerStack& stack) { ungroup_layers(stack, ungroup.group); });
 }
 
-void LayeredCanvas::merge_down(const MergeDown& merge) {
+LayerPaint LayeredCanvas::merge_down(const MergeDown& merge) {
     const std::size_t place = place_of(painting_.layers, merge.layer);
     if (place == 0)
         throw core::InputError("there is no layer below \"%1\" to merge it onto.",
                                painting_.layers.layers[0].look.name);
     check_paintable(painting_.layers, place - 1);
     check_paintable(painting_.layers, place);
-    rearrange([&](LayerStack& stack) { merge_onto_lower(stack, place, pool_); });
+    LayerPaint wiped;
+    rearrange([&](LayerStack& stack) { wiped = merge_onto_lower(stack, place, pool_); });
+    return wiped;
 }
 
-void LayeredCanvas::flatten() {
+LayerPaint LayeredCanvas::flatten() {
+    LayerPaint wiped;
     rearrange([&](LayerStack& stack) {
         const std::vector<std::size_t> visible = visible_places(stack);
         if (visible.empty()) throw core::InputError("there is no visible layer to flatten.");
@@ -362,12 +419,13 @@ void LayeredCanvas::flatten() {
             check_unlocked(stack, place);
         Layer flat{.id = stack.layers[visible[0]].id,
                    .look = {.name = stack.layers[visible[0]].look.name},
-                   .inactive = inactive_film(flattened(stack, visible, pool_))};
+                   .inactive = inactive_film(flattened(stack, visible, wiped, pool_))};
         for (auto place = visible.rbegin(); place != visible.rend(); ++place)
             stack.layers.erase(stack.layers.begin() + static_cast<std::ptrdiff_t>(*place));
         insert_between_groups(stack, visible[0], std::move(flat));
         drop_empty_groups(stack);
     });
+    return wiped;
 }
 
 LayerPaint LayeredCanvas::paint_picture(const PaintPicture& paint) {
@@ -377,7 +435,8 @@ LayerPaint LayeredCanvas::paint_picture(const PaintPicture& paint) {
         film::FilmState flat = layers::flat_paint(*paint.picture, paint.place, painting_.film.shape,
                                                   painting_.film.cell_mm, pool_);
         taken = paint_on(flat);
-        insert_above(stack, stack.active, {.name = paint.name}, inactive_film(std::move(flat)));
+        insert_above(stack, stack.active, new_look(stack, stack.active, paint.name),
+                     inactive_film(std::move(flat)));
     });
     return taken;
 }
@@ -420,8 +479,9 @@ film::FilmState LayeredCanvas::copy(const CopyPaint& copy, const grid::Mask* sel
     const std::vector<std::size_t> places =
         copy.layer == 0 ? visible_places(stack) : std::vector{place_of(stack, copy.layer)};
     if (places.empty()) throw core::InputError("there is no visible layer to copy.");
+    LayerPaint hidden;
     film::FilmState paint =
-        copy.layer == 0 ? flattened(stack, places, pool_) : *stack.layers[places[0]].inactive;
+        copy.layer == 0 ? flattened(stack, places, hidden, pool_) : *stack.layers[places[0]].inactive;
     if (selection != nullptr) paint = layers::cut(paint, *selection).inside;
     paint.strata.evaporated = 0;
     return paint;
@@ -438,7 +498,8 @@ LayerPaint LayeredCanvas::paste(const PastePaint& paste, const film::FilmState& 
             layers::on_extent(in_cells_of(painting_.film, copied, pool_),
                               {painting_.film.shape, -cells(paste.move_x_mm), -cells(paste.move_y_mm)});
         taken = paint_on(paint);
-        insert_above(stack, stack.active, {.name = paste.name}, inactive_film(std::move(paint)));
+        insert_above(stack, stack.active, new_look(stack, stack.active, paste.name),
+                     inactive_film(std::move(paint)));
     });
     return taken;
 }

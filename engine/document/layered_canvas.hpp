@@ -31,6 +31,9 @@ using LayerFilms = std::vector<std::shared_ptr<const film::FilmState>>;
 LayerFilms layers_apart(const film::FilmState& film, const film::SupportHeights& bare_mm,
                         const LayerStack& stack);
 
+/// Layers apart, from below, as far as they show: without what is hidden of those that are clipped.
+LayerFilms shown_layers(LayerFilms films, const LayerStack& stack);
+
 /// The bare support with all that is visible below the active layer.
 film::SupportHeights base_below_active(const LayerStack& stack, film::SupportHeights bare_mm);
 
@@ -88,8 +91,8 @@ class LayeredCanvas {
     void group(const GroupLayers& group);
     void move_group(const MoveGroup& move);
     void ungroup(const UngroupLayers& ungroup);
-    void merge_down(const MergeDown& merge);
-    void flatten();
+    LayerPaint merge_down(const MergeDown& merge);        ///< what was hidden, and is wiped off
+    LayerPaint flatten();                                 ///< the same
     LayerPaint paint_picture(const PaintPicture& paint);  ///< what came out of the tubes
     /// Puts a film that is apart from what it lies on onto the active layer. What came out of the tubes.
     /// Below all layers, on one of that name. Returns what it holds.

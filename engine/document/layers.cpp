@@ -67,9 +67,32 @@ const LayerGroup& group_of(const LayerStack& stack, GroupId group) {
     return stack.groups[place_of_group(stack, group)];
 }
 
+std::optional<std::size_t> clipping_base(const LayerStack& stack, std::size_t place) {
+    const GroupId group = stack.layers[place].group;
+    for (std::size_t below = place; below-- > 0;) {
+        const Layer& layer = stack.layers[below];
+        if (layer.group == group && !layer.look.clipped) return below;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> clipped_to(const LayerStack& stack, std::size_t place) {
+    return stack.layers[place].look.clipped ? clipping_base(stack, place) : std::nullopt;
+}
+
+LayerLook look_in_group(const LayerStack& stack, std::size_t place) {
+    LayerLook look = stack.layers[place].look;
+    if (const auto onto = clipped_to(stack, place)) {
+        const LayerLook& base = stack.layers[*onto].look;
+        look.visible = look.visible && base.visible;
+        look.opacity *= base.opacity;
+    }
+    return look;
+}
+
 LayerLook effective_look(const LayerStack& stack, std::size_t place) {
     const Layer& layer = stack.layers[place];
-    LayerLook look = layer.look;
+    LayerLook look = look_in_group(stack, place);
     for (const LayerGroup& group : stack.groups) {
         if (group.id != layer.group) continue;
         look.visible = look.visible && group.look.visible;
@@ -83,11 +106,16 @@ LayerLook effective_look(const LayerStack& stack, std::size_t place) {
 bool is_single(const LayerStack& stack) {
     const LayerLook& look = stack.layers.front().look;
     return stack.layers.size() == 1 && stack.groups.empty() && look.visible && !look.locked &&
-           !look.bare_locked && look.opacity == 1.0;
+           !look.bare_locked && !look.clipped && look.opacity == 1.0;
 }
 
 void check_look(const LayerLook& look) {
     check_fields(look);
+}
+
+void check_group_look(const LayerLook& look) {
+    check_look(look);
+    if (look.clipped) throw core::InputError("a group of layers cannot be clipped; its layers can.");
 }
 
 void check_stack(const LayerStack& stack) {
@@ -98,7 +126,7 @@ void check_stack(const LayerStack& stack) {
     std::set<LayerId> layers;
     std::set<GroupId> groups;
     for (const LayerGroup& group : stack.groups) {
-        check_look(group.look);
+        check_group_look(group.look);
         if (group.id == 0 || group.id >= stack.next_group || !groups.insert(group.id).second)
             throw core::InputError("there cannot be a group %1.", group.id);
     }

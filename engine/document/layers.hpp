@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pastoso::document {
@@ -47,7 +48,17 @@ std::size_t place_of(const LayerStack& stack, LayerId layer);
 LayerGroup& group_of(LayerStack& stack, GroupId group);
 const LayerGroup& group_of(const LayerStack& stack, GroupId group);
 
-/// A layer with what its group says: visible when both are, locked when one is, what is
+/// The place of what the layer at `place` is clipped to if it is: the nearest layer below it in its
+/// group, or in none like it, that is not clipped itself. Where there is none, all of the layer shows.
+std::optional<std::size_t> clipping_base(const LayerStack& stack, std::size_t place);
+
+/// The same of a layer that is clipped; none of one that is not.
+std::optional<std::size_t> clipped_to(const LayerStack& stack, std::size_t place);
+
+/// A layer with what the one says that it is clipped to: visible when both are, opacities multiplied.
+LayerLook look_in_group(const LayerStack& stack, std::size_t place);
+
+/// look_in_group() with what its group says: visible when both are, locked when one is, what is
 /// bare as well, opacities multiplied.
 LayerLook effective_look(const LayerStack& stack, std::size_t place);
 
@@ -59,6 +70,9 @@ void check_stack(const LayerStack& stack);
 
 /// Throws InputError for a name that is too long and for an opacity that is none.
 void check_look(const LayerLook& look);
+
+/// The same of a group; throws for one that is clipped, too.
+void check_group_look(const LayerLook& look);
 
 /// Throws InputError, naming the layer, unless it is visible and not locked.
 void check_paintable(const LayerStack& stack, std::size_t place);

@@ -2,6 +2,7 @@
 
 #include "grid/mask_margins.hpp"
 #include "grid/turning.hpp"
+#include "layers/clipping.hpp"
 
 #include <array>
 #include <limits>
@@ -55,7 +56,8 @@ grid::Mask area_of(const SelectByHeight& select, const film::FilmState& film,
 
 grid::Mask area_of(const SelectPaint&, const film::FilmState& film,
                    const film::SupportHeights& base_mm) {
-    return cells_of_height(film, base_mm, kLeastPaint_mm, std::numeric_limits<double>::infinity());
+    return cells_of_height(film, base_mm, layers::kLeastPaint_mm,
+                           std::numeric_limits<double>::infinity());
 }
 
 grid::Mask area_of(const SelectByWetness& select, const film::FilmState& film) {

@@ -112,20 +112,34 @@ grid::Rect painted_area(const FilmState& layer) {
     return area;
 }
 
-void take_tile(const FilmState& from, int tile, FilmState& to) {
+bool looks_same(const FilmState& a, const FilmState& b, int tile) {
+    return same_tile(a.thickness, b.thickness, tile) && same_tile(a.paint, b.paint, tile) &&
+           same_tile(a.lower.paint, b.lower.paint, tile) &&
+           same_tile(a.support_mm, b.support_mm, tile) &&
+           same_tile(a.strata.soluble_thickness, b.strata.soluble_thickness, tile) &&
+           same_tile(a.strata.soluble_pigment, b.strata.soluble_pigment, tile) &&
+           same_tile(a.strata.optics, b.strata.optics, tile) &&
+           same_tile(a.strata.uppermost, b.strata.uppermost, tile);
+}
+
+void take_seen_tile(const FilmState& from, int tile, FilmState& to) {
     share_tile(from.thickness, tile, to.thickness);
     share_tile(from.paint, tile, to.paint);
     share_tile(from.lower.thickness, tile, to.lower.thickness);
     share_tile(from.lower.paint, tile, to.lower.paint);
-    share_tile(from.worked.thickness, tile, to.worked.thickness);
-    film::take_media(from, tile, to);
-    share_tile(from.velocity_x, tile, to.velocity_x);
-    share_tile(from.velocity_y, tile, to.velocity_y);
     share_tile(from.support_mm, tile, to.support_mm);
     share_tile(from.strata.soluble_thickness, tile, to.strata.soluble_thickness);
     share_tile(from.strata.soluble_pigment, tile, to.strata.soluble_pigment);
     share_tile(from.strata.optics, tile, to.strata.optics);
     share_tile(from.strata.uppermost, tile, to.strata.uppermost);
+}
+
+void take_tile(const FilmState& from, int tile, FilmState& to) {
+    take_seen_tile(from, tile, to);
+    share_tile(from.worked.thickness, tile, to.worked.thickness);
+    film::take_media(from, tile, to);
+    share_tile(from.velocity_x, tile, to.velocity_x);
+    share_tile(from.velocity_y, tile, to.velocity_y);
 }
 
 }  // namespace pastoso::layers

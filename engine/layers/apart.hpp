@@ -50,6 +50,19 @@ void share_tile(const Field& from, int tile, Field& to) {
         to.replace(tile, from.block(tile));
 }
 
+/// Whether a tile of two fields of one shape is the same one, or nothing in both.
+template <class Field>
+bool same_tile(const Field& a, const Field& b, int tile) {
+    return a.shares_tile(b, tile) || (a.is_background(tile) && b.is_background(tile));
+}
+
+/// The same for all that is seen of a layer in a tile.
+bool looks_same(const film::FilmState& a, const film::FilmState& b, int tile);
+
+/// share_tile() for all that is seen of a layer in a tile: everything but structure, media, velocities
+/// and totals.
+void take_seen_tile(const film::FilmState& from, int tile, film::FilmState& to);
+
 /// The same for all that a layer holds in a tile. Its totals stay as they are.
 void take_tile(const film::FilmState& from, int tile, film::FilmState& to);
 

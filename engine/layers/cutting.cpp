@@ -112,6 +112,11 @@ CutLayer cut(const FilmState& layer, const grid::Mask& mask) {
     return parts;
 }
 
+void keep_chosen(const grid::Mask& mask, int tile, FilmState& layer) {
+    const std::uint8_t* is_chosen = mask.read(tile);
+    keep_paint([&](int cell) { return is_chosen[cell] != 0; }, tile, layer);
+}
+
 std::int64_t fixed_relief_quanta(const FilmState& layer) {
     std::int64_t sum = 0;
     for (int tile = 0; tile < layer.shape.tile_count(); ++tile)

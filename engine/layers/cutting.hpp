@@ -18,6 +18,9 @@ struct CutLayer {
 /// outside. Velocities stay where both cells of their face do, others are 0.
 CutLayer cut(const film::FilmState& layer, const grid::Mask& mask);
 
+/// Empties the cells of a tile that the mask does not choose. Velocities and totals stay as they are.
+void keep_chosen(const grid::Mask& mask, int tile, film::FilmState& layer);
+
 /// Thickness quanta of the fixed strata, by the relief: sum over the cells of relief - soluble
 /// thickness.
 std::int64_t fixed_relief_quanta(const film::FilmState& layer);

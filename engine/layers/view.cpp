@@ -209,21 +209,6 @@ bool is_fixed_in(const FilmState& lower, int tile) {
            lower.strata.soluble_thickness.is_background(tile);
 }
 
-template <class Field>
-bool same_tile(const Field& a, const Field& b, int tile) {
-    return a.shares_tile(b, tile) || (a.is_background(tile) && b.is_background(tile));
-}
-
-bool looks_same(const FilmState& a, const FilmState& b, int tile) {
-    return same_tile(a.thickness, b.thickness, tile) && same_tile(a.paint, b.paint, tile) &&
-           same_tile(a.lower.paint, b.lower.paint, tile) &&
-           same_tile(a.support_mm, b.support_mm, tile) &&
-           same_tile(a.strata.soluble_thickness, b.strata.soluble_thickness, tile) &&
-           same_tile(a.strata.soluble_pigment, b.strata.soluble_pigment, tile) &&
-           same_tile(a.strata.optics, b.strata.optics, tile) &&
-           same_tile(a.strata.uppermost, b.strata.uppermost, tile);
-}
-
 }  // namespace
 
 void lay_tile_over(const SeenLayer& upper, const FilmState& lower, int tile, FilmState& result) {
@@ -253,8 +238,16 @@ FilmState View::of(const FilmState& bare, const std::vector<SeenLayer>& layers, 
     steps_.resize(layers.size());
     const FilmState* below = &bare;
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        look(layers[i], *below, steps_[i], pool);
-        below = &steps_[i].result;
+        Step& step = steps_[i];
+        const SeenLayer& layer = layers[i];
+        if (layer.onto == nullptr)
+            step.clipper.reset();
+        else if (!step.clipper)
+            step.clipper.emplace();
+        const FilmState& shown =
+            step.clipper ? step.clipper->shown(*layer.film, *layer.onto) : *layer.film;
+        look({&shown, layer.opacity}, *below, step, pool);
+        below = &step.result;
     }
     FilmState seen = *below;
     if (!layers.empty()) seen.consistencies = layers.back().film->consistencies;

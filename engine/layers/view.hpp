@@ -4,8 +4,10 @@
 
 #include "core/thread_pool.hpp"
 #include "film/state.hpp"
+#include "layers/clipping.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pastoso::layers {
@@ -14,6 +16,9 @@ namespace pastoso::layers {
 struct SeenLayer {
     const film::FilmState* film;
     double opacity = 1.0;  ///< of what it does to light; its relief is there in full
+    /// The layer that it is clipped to, apart from what that one lies on (layers/clipping.hpp); null:
+    /// none. What is hidden of it has no relief.
+    const film::FilmState* onto = nullptr;
 };
 
 /// `upper` on top of `lower`, which lies on the ground, with all its heights, in one tile:
@@ -22,7 +27,7 @@ struct SeenLayer {
 /// - where the upper layer is faded, or wet paint lies bare below it, clear wet paint stands for it, so
 ///   that it shines;
 /// - heights of the surface are the sums of all that lies there.
-/// Velocities are not looked at.
+/// Velocities are not looked at, nor what the upper layer is clipped to.
 void lay_tile_over(const SeenLayer& upper, const film::FilmState& lower, int tile,
                    film::FilmState& result);
 
@@ -38,6 +43,7 @@ class View {
     struct Step {
         film::FilmState layer, below, result;  ///< as they were
         double opacity = 1.0;
+        std::optional<Clipper> clipper;  ///< of a layer that is clipped
     };
 
     void look(const SeenLayer& layer, const film::FilmState& below, Step& step, core::ThreadPool& pool);

@@ -65,8 +65,9 @@ bool add_layer_pictures(const PaintingState& painting, int factor, core::ThreadP
     canvas.support_mm = painting.value.bare->support_mm;
     pictures.merged = picture_of(canvas, factor, pool);
     pictures.layers = {{"Canvas", true, pigment::encode_srgb8(pictures.merged), {}}};
-    const document::LayerFilms films =
-        document::layers_apart(film, painting.value.bare->support_mm, painting.value.layers);
+    const document::LayerFilms films = document::shown_layers(
+        document::layers_apart(film, painting.value.bare->support_mm, painting.value.layers),
+        painting.value.layers);
     layers::View view;
     std::vector<layers::SeenLayer> seen;
     for (std::size_t place = 0; place < films.size(); ++place) {

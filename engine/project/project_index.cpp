@@ -231,8 +231,8 @@ Json layer_json(const LayerIndex& layer) {
 }
 
 LayerIndex read_layer(const JsonPlace& place) {
-    place.allow_only({"id", "group", "name", "visible", "locked", "bare_locked", "opacity", "picture",
-                      "surface", "bare_support_checksum"});
+    place.allow_only({"id", "group", "name", "visible", "locked", "bare_locked", "clipped", "opacity",
+                      "picture", "surface", "bare_support_checksum"});
     LayerIndex layer{{.id = 1, .look = recordings::read_look(place)},
                      place.entry("picture").text(),
                      read_surface(place.entry("surface")),

@@ -15,7 +15,7 @@
 
 namespace pastoso::project {
 
-inline constexpr int kProjectFormatVersion = 12;
+inline constexpr int kProjectFormatVersion = 13;
 
 /// An entry of the archive that is a Zstandard frame with a checksum of its own.
 struct PackedEntry {

@@ -18,6 +18,8 @@ namespace {
 using document::LayerLook;
 
 constexpr double kFarthest_px = 1e6;
+/// Ways to lay a picture over what is below: all of it, and only where something is.
+constexpr const char *kOver = "svg:src-over", *kAtop = "svg:src-atop";
 /// What programs write that know no resolution.
 constexpr double kSaysNothing_dpi = 72.0;
 
@@ -143,7 +145,8 @@ class StackReader {
             note(core::message("\"%1\" holds no picture and is left out.", picture.look.name));
             return;
         }
-        check_way(element, picture.look.name);
+        picture.look.clipped = element.text("composite-op", kOver) == kAtop;
+        if (!picture.look.clipped) check_way(element, picture.look.name);
         for (std::size_t depth = 2; depth < stacks_.size(); ++depth)
             put_into(picture.look, stacks_[depth]);
         picture.x = element.whole("x", 0, -kFarthest_px, kFarthest_px);
@@ -153,8 +156,8 @@ class StackReader {
     }
 
     void check_way(const Element& element, const std::string& name) {
-        const std::string way = element.text("composite-op", "svg:src-over");
-        if (way != "svg:src-over")
+        const std::string way = element.text("composite-op", kOver);
+        if (way != kOver)
             note(core::message("\"%1\" was laid over the others by %2 and is laid over them as paint.",
                                name, shortened(way)));
     }

@@ -31,8 +31,9 @@ struct RasterStack {
 };
 
 /// Reads OpenRaster's stack.xml (version 0.0.6 of its specification). Groups within groups become part
-/// of the outermost, their visibility and opacity that of their layers. Names are shortened to what a
-/// layer's may have. Throws InputError "NAME, line N: ..." for what is no XML, has a document type, is
+/// of the outermost, their visibility and opacity that of their layers. Layers that show only
+/// where something lies below (svg:src-atop) are clipped to the layer below. Names are shortened to what
+/// a layer's may have. Throws InputError "NAME, line N: ..." for what is no XML, has a document type, is
 /// nested deeper than 32 elements or has sizes or numbers out of range.
 RasterStack read_stack(std::string_view xml, const std::string& name);
 

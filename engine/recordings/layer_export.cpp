@@ -174,6 +174,7 @@ std::string remarks_of(const document::LayerLook& look) {
     std::string remarks;
     if (look.opacity < 1.0) remarks += ", opacity " + core::number_text(look.opacity);
     if (!look.visible) remarks += ", hidden";
+    if (look.clipped) remarks += ", clipped";
     return remarks;
 }
 
@@ -182,7 +183,8 @@ std::string remarks_of(const document::LayerLook& look) {
 ChannelLayers channel_layers(const FilmState& film, const film::SupportHeights& bare_mm,
                              const document::LayerStack& stack) {
     ChannelLayers result{bare_mm, {}, "Layers from below:"};
-    const document::LayerFilms films = document::layers_apart(film, bare_mm, stack);
+    const document::LayerFilms films =
+        document::shown_layers(document::layers_apart(film, bare_mm, stack), stack);
     std::vector<std::string> names;
     for (const document::Layer& layer : stack.layers)
         names.push_back(layer.look.name);

@@ -30,7 +30,8 @@ ChannelLayers channel_layers(const film::FilmState& film, const film::SupportHei
                              const document::LayerStack& stack);
 
 /// An OpenEXR file: the picture of `source`, lit or not, as R, G and B; the heights of the bare support;
-/// and for each layer, as if it alone lay on the support and none of it were faded,
+/// and for each layer, as if it alone lay on the support and none of it were faded; of a layer that is
+/// clipped, what shows,
 ///
 ///     <layer>.lit.R G B        the picture under the light, halves
 ///     <layer>.albedo.R G B     its colours without any light, halves

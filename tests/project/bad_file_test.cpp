@@ -82,10 +82,10 @@ TEST_F(BadProject, ATruncatedFileIsRefusedWhereverItEnds) {
 
 TEST_F(BadProject, OtherVersionsAreRefused) {
     EXPECT_EQ(
-        error_of_index("\"version\":12", "\"version\":13"),
-        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 13; this "
-        "program reads up to 12).");
-    EXPECT_THAT(error_of_index("\"version\":12", "\"version\":0"),
+        error_of_index("\"version\":13", "\"version\":14"),
+        "it.pastoso, pastoso/index.json: this was written by a newer Pastoso (project format 14; this "
+        "program reads up to 13).");
+    EXPECT_THAT(error_of_index("\"version\":13", "\"version\":0"),
                 HasSubstr("version: 0 is not between"));
     EXPECT_THAT(error_of_index("pastoso-project", "pastoso-scene"), HasSubstr("this is no painting"));
 }
@@ -180,7 +180,7 @@ TEST_F(BadProject, ABoardOfReferencesThatIsNoneIsRefused) {
 }
 
 TEST_F(BadProject, AnIndexWithoutReferencesIsReadAsItWas) {
-    EXPECT_EQ(error_of_index("\"version\":12", "\"version\":11"), "");
+    EXPECT_EQ(error_of_index("\"version\":13", "\"version\":12"), "");
 }
 
 TEST_F(BadProject, SizesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {

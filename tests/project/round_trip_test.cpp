@@ -224,6 +224,23 @@ TEST_F(ProjectRoundTrip, MaskingComesBackToTheCell) {
     EXPECT_EQ(again.state_hash(), painting->state_hash());
 }
 
+TEST_F(ProjectRoundTrip, AClippedLayerComesBackWithWhatIsHidden) {
+    auto painting = played(busy_session(), 85, pool);
+    painting->apply(document::SelectArea{{{2, 2}, {30, 2}, {30, 20}, {2, 20}}});
+    painting->apply(document::AddLayer{"Clipped"});
+    painting->apply(document::FillWithPaint{.paint = {{{"PY35", 1.0}}}});
+    const document::LayerStack& stack = painting->layers();
+    painting->apply(
+        document::SetLayer{stack.layers[stack.active].id, {.name = "Clipped", .clipped = true}});
+    const Project project{painting->state(), {}};
+    const LoadedProject loaded = saved_and_loaded(project);
+    expect_equal(loaded.painting, project.painting);
+    const document::LayerStack& again = loaded.painting.value.layers;
+    EXPECT_TRUE(again.layers[again.active].look.clipped);
+    EXPECT_EQ(film::state_hash(document::Painting(loaded.painting, pool).snapshot().film),
+              film::state_hash(painting->snapshot().film));
+}
+
 TEST_F(ProjectRoundTrip, ATracingPictureComesBackToThePixel) {
     auto painting = played(busy_session(), 85, pool);
     painting->apply(document::LayTracing{

@@ -71,6 +71,18 @@ TEST(RasterStack, SaysWhatItLeavesOut) {
     EXPECT_EQ(stack.pictures.size(), 1U);
 }
 
+TEST(RasterStack, WhatShowsOnlyOverWhatIsBelowIsClipped) {
+    const RasterStack stack = stack_of(
+        "<stack composite-op='svg:src-atop'><layer src='1' composite-op='svg:src-atop'/>"
+        "<layer src='0' composite-op='svg:src-over'/></stack>");
+    ASSERT_EQ(stack.pictures.size(), 2U);
+    EXPECT_FALSE(stack.pictures[0].look.clipped);
+    EXPECT_TRUE(stack.pictures[1].look.clipped);
+    EXPECT_THAT(core::texts_of(stack.notes),
+                ElementsAre("\"Group\" was laid over the others by svg:src-atop and is laid over them "
+                            "as paint."));
+}
+
 TEST(RasterStack, KnowsTheResolutionUnlessItIsThatOfScreens) {
     EXPECT_DOUBLE_EQ(read_stack("<image w='3' h='2' xres='254' yres='127'/>", "a").px_per_mm_x, 10.0);
     EXPECT_DOUBLE_EQ(read_stack("<image w='3' h='2' xres='254' yres='127'/>", "a").px_per_mm_y, 5.0);

@@ -179,7 +179,7 @@ class Layers(InFolder):
         painting.stroke(line(25))
         painting.set_layer(number, visible=False, opacity=0.5)
         self.assertEqual(painting.layers()[1],
-                         {"number": number, "name": "Glaze", "visible": False, "locked": False, "bare_locked": False, "opacity": 0.5,
+                         {"number": number, "name": "Glaze", "visible": False, "locked": False, "bare_locked": False, "clipped": False, "opacity": 0.5,
                           "group": 0, "active": True})
         self.assertIn("Glaze", self.input_error(lambda: painting.stroke(line(26))))
         painting.remove_layer(number)

@@ -145,6 +145,7 @@ Recording everything() {
         {49, MaskSelection{}},
         {50, SelectMasked{Combination::Intersect}},
         {50, SetLayer{3, {.name = "Glaze", .bare_locked = true}}},
+        {50, SetLayer{3, {.name = "Glaze", .clipped = true}}},
         {50, PeelMasking{}},
     };
     recording.end_tick = 100;
@@ -476,6 +477,8 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         EXPECT_THAT(recording_to_json(recording), Not(HasSubstr("\"version\": 14,"))) << arithmetic;
         recording.events = {{0, SetLayer{1, {.name = "Paint", .bare_locked = true}}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
+        recording.events = {{0, SetLayer{1, {.name = "Paint", .clipped = true}}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
         recording.events = {{0, PeelMasking{}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
         recording.events = {{0, LayTexture{}}};

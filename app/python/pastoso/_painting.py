@@ -156,9 +156,9 @@ class Painting(_engine.Painting):
         self.apply({"select_layer": {"layer": number}})
 
     def set_layer(self, number: int, **look: Any) -> None:
-        """Changes name, visible, locked or opacity (0 to 1) of a layer."""
+        """Changes name, visible, locked, bare_locked, clipped (to the layer below) or opacity (0 to 1) of a layer."""
         known: Dict[str, Any] = next((dict(layer) for layer in self.layers() if layer["number"] == number), {"name": ""})
-        kept = {key: known[key] for key in ("name", "visible", "locked", "opacity") if key in known}
+        kept = {key: known[key] for key in ("name", "visible", "locked", "bare_locked", "clipped", "opacity") if key in known}
         self.apply({"set_layer": {"layer": number, **kept, **look}})
 
     def duplicate_layer(self, number: int) -> int:

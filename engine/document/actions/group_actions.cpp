@@ -4,6 +4,10 @@
 
 namespace pastoso::document {
 
+void check_whole(const SetGroup& set) {
+    check_group_look(set.look);
+}
+
 void apply(const GroupLayers& group, LivingPainting& painting) {
     painting.canvas.group(group);
 }

@@ -33,6 +33,7 @@ struct UngroupLayers {  ///< leaves the group's layers where they are
 
 using GroupActions = ActionList<GroupLayers, SetGroup, MoveGroup, UngroupLayers>;
 
+void check_whole(const SetGroup& set);
 void apply(const GroupLayers& group, LivingPainting& painting);
 void apply(const SetGroup& set, LivingPainting& painting);
 void apply(const MoveGroup& move, LivingPainting& painting);

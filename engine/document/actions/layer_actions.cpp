@@ -82,11 +82,11 @@ void apply(const MoveLayer& move, LivingPainting& painting) {
 }
 
 void apply(const MergeDown& merge, LivingPainting& painting) {
-    painting.canvas.merge_down(merge);
+    painting.value.flows.wiped += painting.contents_of(painting.canvas.merge_down(merge));
 }
 
 void apply(const FlattenLayers&, LivingPainting& painting) {
-    painting.canvas.flatten();
+    painting.value.flows.wiped += painting.contents_of(painting.canvas.flatten());
 }
 
 }  // namespace pastoso::document

@@ -65,12 +65,15 @@ struct MoveLayer {
     GroupId group = 0;  ///< that it is in then
     friend bool operator==(const MoveLayer&, const MoveLayer&) = default;
 };
-struct MergeDown {  ///< onto the one below it (layers/merging.hpp), which keeps its name and its
-                    ///< position
+/// Onto the one below it (layers/merging.hpp), which keeps its name and its position. What clipping
+/// hides is wiped off, unless both are clipped to the same layer: so is the result then.
+struct MergeDown {
     LayerId layer = 0;
     friend bool operator==(const MergeDown&, const MergeDown&) = default;
 };
-struct FlattenLayers {  ///< merges all that are visible into the lowest of them; hidden ones stay
+/// Merges all that are visible into the lowest of them; hidden ones stay. What clipping hides is wiped
+/// off.
+struct FlattenLayers {
     friend bool operator==(const FlattenLayers&, const FlattenLayers&) = default;
 };
 

@@ -27,6 +27,11 @@ struct Table<LayerLook> {
         visit(Truth<At<&LayerLook::locked>>{"locked", "locked", Optional, "nothing is painted on it"});
         visit(Truth<At<&LayerLook::bare_locked>>{"bare_locked", "bare locked", Optional,
                                                  "tools change only what of it has paint", 14});
+        visit(Truth<At<&LayerLook::clipped>>{
+            "clipped", "clipped", Optional,
+            "only what lies over paint of the nearest layer below it in its group that is not clipped "
+            "shows ([0091](decisions/0091-clipped-layers.md)); of layers alone, not of groups",
+            15});
         visit(Number<At<&LayerLook::opacity>>{"opacity", core::Pattern<0>("opacity of the layer"), "",
                                               0.0, 1.0, Optional});
     }

@@ -29,9 +29,6 @@ inline constexpr std::size_t kMostOutlinePoints = 20000;
 /// Paint is never higher.
 inline constexpr double kMostPaint_mm = 1000.0;
 
-/// Thinner paint than this is no more than what rounding leaves.
-inline constexpr double kLeastPaint_mm = 1e-4;
-
 /// In CIEDE2000; black and white differ by so much.
 inline constexpr double kMostDifference = 100.0;
 
@@ -52,7 +49,8 @@ struct SelectByWetness {                   ///< where the wet paint of the activ
     Combination how = Combination::Replace;
     friend bool operator==(const SelectByWetness&, const SelectByWetness&) = default;
 };
-struct SelectPaint {  ///< where the active layer has paint, wet or dry, of kLeastPaint_mm or more
+/// Where the active layer has paint, wet or dry, of layers::kLeastPaint_mm or more.
+struct SelectPaint {
     Combination how = Combination::Replace;
     friend bool operator==(const SelectPaint&, const SelectPaint&) = default;
 };
