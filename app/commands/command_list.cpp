@@ -233,6 +233,10 @@ constexpr CommandText kCommands[] = {
                 true},
     CommandText{Command::LockBare, kLayer, QT_TR_NOOP("Lock &what is bare"), "",
                 QT_TR_NOOP("Tools change the layer only where it has paint already"), true},
+    CommandText{Command::ClipLayer, kLayer, QT_TR_NOOP("Cl&ip to the layer below"), "",
+                QT_TR_NOOP("Show the layer only where the one below has paint; the rest is hidden, and "
+                           "kept"),
+                true},
     CommandText{Command::LayerAbove, kLayer, QT_TR_NOOP("Choose the one &above"), "PgUp",
                 QT_TR_NOOP("Paint on the layer above"), false, true},
     CommandText{Command::LayerBelow, kLayer, QT_TR_NOOP("Choose the one &below"), "PgDown",

@@ -93,6 +93,7 @@ enum class Command {
     ShowLayer,
     LockLayer,
     LockBare,
+    ClipLayer,
     LayerAbove,
     LayerBelow,
     RaiseLayer,

@@ -102,6 +102,7 @@ constexpr Name kNames[] = {
     {Command::ShowLayer, "show_layer"},
     {Command::LockLayer, "lock_layer"},
     {Command::LockBare, "lock_bare"},
+    {Command::ClipLayer, "clip_layer"},
     {Command::LayerAbove, "layer_above"},
     {Command::LayerBelow, "layer_below"},
     {Command::RaiseLayer, "raise_layer"},

@@ -33,6 +33,7 @@ constexpr OtherKeys kPhotoshop[] = {
     {Command::RemoveLayer, "Shift+Del"},
     {Command::TransformLayer, "Ctrl+T; V"},
     {Command::UngroupLayers, "Ctrl+Shift+G"},
+    {Command::ClipLayer, "Ctrl+Alt+G"},
     {Command::RaiseLayer, "Ctrl+]"},
     {Command::LowerLayer, "Ctrl+["},
     {Command::LayerAbove, "Alt+]"},

@@ -31,7 +31,8 @@ bool paints_what_is_seen(const document::Snapshot& shown) {
     if (shown.selection != nullptr || shown.masking.cells != nullptr) return false;
     if (shown.layers == nullptr) return true;
     return is_uppermost(*shown.layers) &&
-           !effective_look(*shown.layers, shown.layers->active).bare_locked;
+           !effective_look(*shown.layers, shown.layers->active).bare_locked &&
+           !clipped_to(*shown.layers, shown.layers->active);
 }
 
 /// A straight line is painted when the pen lifts.

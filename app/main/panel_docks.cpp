@@ -45,9 +45,10 @@ panels::LayerPanel* make_layer_panel(Studio& studio) {
         {action(Command::AddLayer), action(Command::DuplicateLayer), action(Command::GroupLayers),
          action(Command::MergeDown), action(Command::RemoveLayer)},
         {action(Command::RenameLayer), action(Command::ShowLayer), action(Command::LockLayer),
-         action(Command::LockBare), nullptr, action(Command::AddLayer), action(Command::DuplicateLayer),
-         action(Command::ClearLayer), action(Command::RemoveLayer), nullptr, action(Command::MergeDown),
-         action(Command::FlattenLayers), action(Command::GroupLayers), action(Command::UngroupLayers)});
+         action(Command::LockBare), action(Command::ClipLayer), nullptr, action(Command::AddLayer),
+         action(Command::DuplicateLayer), action(Command::ClearLayer), action(Command::RemoveLayer),
+         nullptr, action(Command::MergeDown), action(Command::FlattenLayers),
+         action(Command::GroupLayers), action(Command::UngroupLayers)});
 }
 
 /// Of actions that stand on buttons.

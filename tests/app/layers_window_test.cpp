@@ -2,6 +2,7 @@
 // them, by mouse and by keys.
 #include "app/window_fixture.hpp"
 #include "main/window_parts.hpp"
+#include "panels/layers/layer_delegate.hpp"
 #include "panels/layers/layer_panel.hpp"
 #include "panels/layers/layer_tree.hpp"
 
@@ -12,6 +13,7 @@
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QPainter>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTest>
@@ -208,6 +210,60 @@ TEST_F(LayersWindow, AGroupHoldsLayersAndHidesThemTogether) {
     give(Command::UngroupLayers);
     EXPECT_TRUE(stack().groups.empty());
     EXPECT_EQ(panel().chosen(), layer(2));
+}
+
+TEST_F(LayersWindow, AClippedLayerShowsOnlyOverTheOneBelow) {
+    paint_upper_half();
+    EXPECT_FALSE(action(Command::ClipLayer)->isEnabled()) << "nothing lies below";
+    const QImage one = picture();
+    give(Command::AddLayer);
+    paint_lower_half();
+    const QImage both = picture();
+    const double painted_mm3 = paint_mm3();
+    EXPECT_GT(difference(one, both).largest, 40);
+    give(Command::ClipLayer);
+    EXPECT_TRUE(action(Command::ClipLayer)->isChecked());
+    EXPECT_TRUE(stack().layers[1].look.clipped);
+    EXPECT_EQ(difference(one, picture()).largest, 0) << "it lies beside what is below";
+    EXPECT_EQ(paint_mm3(), painted_mm3) << "what is hidden is kept";
+    const QModelIndex row = tree().layers().index_of(layer(2));
+    EXPECT_THAT(row.data(Qt::AccessibleTextRole).toString().toStdString(),
+                HasSubstr("clipped to the layer below"));
+    give(Command::Undo);
+    EXPECT_FALSE(action(Command::ClipLayer)->isChecked());
+    EXPECT_EQ(difference(both, picture()).largest, 0);
+    give(Command::Redo);
+    click(layer(2), LayerModel::kName);
+    give(Command::ClipLayer);
+    EXPECT_FALSE(stack().layers[1].look.clipped);
+    EXPECT_EQ(difference(both, picture()).largest, 0);
+}
+
+TEST_F(LayersWindow, ClippedLayersStandBehindAMark) {
+    const auto left_of_row = [](bool clipped) {
+        document::LayerStack stack = document::single_layer();
+        stack.layers[0].look.clipped = clipped;
+        LayerModel model;
+        model.show(stack);
+        QImage image(200, 44, QImage::Format_RGB32);
+        image.fill(Qt::blue);
+        QStyleOptionViewItem row;
+        row.rect = image.rect();
+        QPainter painter(&image);
+        panels::LayerDelegate(&model, nullptr).paint(&painter, row, model.index_of(layer(1)));
+        painter.end();
+        return image.copy(0, 0, 16, 44);
+    };
+    EXPECT_NE(left_of_row(true), left_of_row(false));
+}
+
+TEST_F(LayersWindow, GroupsAreNotClipped) {
+    give(Command::AddLayer);
+    give(Command::GroupLayers);
+    click(LayerRow{.group = stack().groups[0].id}, LayerModel::kName);
+    EXPECT_FALSE(action(Command::ClipLayer)->isEnabled());
+    click(layer(2), LayerModel::kName);
+    EXPECT_FALSE(action(Command::ClipLayer)->isEnabled()) << "the lowest of its group";
 }
 
 TEST_F(LayersWindow, ChosenRowsAreGroupedTogether) {

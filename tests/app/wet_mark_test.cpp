@@ -259,6 +259,13 @@ TEST_F(WetMarkTest, NothingIsMarkedThatIsNotPaintedThere) {
     draw();
     EXPECT_TRUE(is_bare()) << "what is bare stays so";
 
+    locked.layers[0].look.bare_locked = false;
+    locked.layers.push_back({.id = 2, .look = {.clipped = true}});
+    locked.active = 1;
+    shown_.layers = std::make_shared<const document::LayerStack>(locked);
+    draw();
+    EXPECT_TRUE(is_bare()) << "a clipped layer, of which it may be hidden";
+
     document::LayerStack stack = document::single_layer();
     stack.layers.push_back({.id = 1});
     shown_.layers = std::make_shared<const document::LayerStack>(stack);

@@ -62,6 +62,8 @@ LayerCommands::LayerCommands(Studio& studio, panels::LayerPanel* layers, QDockWi
                           [=](bool locked) { change_look(&document::LayerLook::locked, locked); });
     studio_.commands().on(Command::LockBare,
                           [=](bool locked) { change_look(&document::LayerLook::bare_locked, locked); });
+    studio_.commands().on(Command::ClipLayer,
+                          [=](bool clipped) { change_look(&document::LayerLook::clipped, clipped); });
 }
 
 void LayerCommands::add_layer() {
@@ -132,6 +134,8 @@ void LayerCommands::show_commands() {
     enable(Command::FlattenLayers, count > 1);
     enable(Command::GroupLayers, !selected.empty() && groupable);
     enable(Command::UngroupLayers, !is_layer || stack.layers[place].group != 0);
+    enable(Command::ClipLayer,
+           is_layer && (look.clipped || document::clipping_base(stack, place).has_value()));
     enable(Command::LayerAbove, stack.active + 1 < count);
     enable(Command::LayerBelow, stack.active > 0);
     enable(Command::RaiseLayer, tools::step_from(stack, chosen, true).has_value());
@@ -139,6 +143,7 @@ void LayerCommands::show_commands() {
     studio_.commands().action(Command::ShowLayer)->setChecked(look.visible);
     studio_.commands().action(Command::LockLayer)->setChecked(look.locked);
     studio_.commands().action(Command::LockBare)->setChecked(look.bare_locked);
+    studio_.commands().action(Command::ClipLayer)->setChecked(look.clipped);
 }
 
 }  // namespace pastoso::main

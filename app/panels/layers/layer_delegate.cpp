@@ -17,13 +17,19 @@ using Item = LayerModel::Item;
 
 constexpr int kGap = 6;
 constexpr int kLayerRow = 44, kGroupRow = 30;
+constexpr int kClipMark = 16;
 
 bool is_seen(const Item& item) {
     return item.look.visible && item.group_shown;
 }
 
+/// Clipped layers stand a little to the right of the one that they are clipped to, behind a mark.
+int mark_of(const Item& item) {
+    return item.look.clipped ? kClipMark : 0;
+}
+
 int indent_of(const Item& item) {
-    return item.is_group ? 16 + kGap : kLayerPicture.width() + kGap;
+    return mark_of(item) + (item.is_group ? 16 : kLayerPicture.width()) + kGap;
 }
 
 QRect text_place(const QRect& row, const Item& item) {
@@ -63,6 +69,10 @@ QString remarks(const Item& item) {
 QString name_hint(const Item& item) {
     if (item.is_group)
         return QObject::tr("A group: its eye, its lock and its opacity hold for all of its layers");
+    if (item.look.clipped)
+        return QObject::tr(
+            "Clipped to the layer below: of its paint, only what lies over paint of that layer shows. "
+            "The rest is hidden, and kept");
     if (item.active) return QObject::tr("You paint on this layer; its wet paint flows and dries");
     if (item.inactive_wet)
         return QObject::tr(
@@ -140,6 +150,10 @@ void LayerDelegate::paint_name(QPainter* painter, const QStyleOptionViewItem& op
     painter->setOpacity(is_seen(item) ? 1.0 : 0.6);
     QRect box = option.rect;
     box.setWidth(indent_of(item) - kGap);
+    if (item.look.clipped)
+        appearance::draw_icon(*painter, QRect(box.topLeft(), QSize(kClipMark, box.height())),
+                              QStringLiteral("clip_layer"), appearance::colours().text);
+    box.setLeft(box.left() + mark_of(item));
     if (item.is_group)
         appearance::draw_icon(*painter, box, QStringLiteral("group_layers"), appearance::colours().text);
     else

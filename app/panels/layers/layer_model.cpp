@@ -116,6 +116,7 @@ QString LayerModel::words(const Item& item) const {
     if (!item.look.visible) words += tr("hidden");
     if (item.look.locked) words += tr("locked");
     if (item.look.bare_locked) words += tr("what is bare is locked");
+    if (item.look.clipped) words += tr("clipped to the layer below");
     words += tr("opacity %1 %").arg(qRound(100.0 * item.look.opacity));
     return words.join(QStringLiteral(", "));
 }
