@@ -3,6 +3,7 @@
 #include "document/scenes.hpp"
 #include "files/image.hpp"
 #include "files/temporary_folder.hpp"
+#include "layers/clipping.hpp"
 #include "pigment/colour.hpp"
 #include "project/archives.hpp"
 #include "project/paintings.hpp"
@@ -99,6 +100,33 @@ TEST_F(LayeredProject, ItsPicturesLaidOverOneAnotherAreThePainting) {
         difference += std::abs(light(sum.rgb[i]) - light(merged.rgb[i]));
     // Shadows fall beyond the paint's edge.
     EXPECT_LT(difference / static_cast<double>(sum.rgb.size()), 2e-3);
+}
+
+TEST_F(LayeredProject, ThePictureOfAClippedLayerHoldsWhatShows) {
+    painting->apply(document::AddLayer{"Clipped"});
+    painting->apply(document::FillWithPaint{.paint = {{{"PY35", 1.0}}}});
+    painting->apply(document::SetLayer{4, {.name = "Clipped", .clipped = true}});
+    const document::PaintingState state = painting->state();
+    const Pictures pictures = pictures_of(state, pool);
+    ASSERT_EQ(pictures.layers[3].name, "Clipped");
+    const film::FilmState seen = painting->snapshot().film;
+    EXPECT_EQ(
+        pigment::encode_srgb8(pictures.merged).rgb,
+        pigment::encode_srgb8(shade::render(seen, document::kPrimedGround, seen.shape.cells(), {}, pool))
+            .rgb);
+    const document::LayerFilms films =
+        document::layers_apart(state.value.film, state.value.bare->support_mm, state.value.layers);
+    const grid::Mask painted = layers::painted_cells(*films[1]);
+    const std::vector<std::uint8_t>& covered = pictures.layers[3].covered;
+    std::int64_t shown = 0;
+    for (int y = 0; y < seen.shape.height; ++y)
+        for (int x = 0; x < seen.shape.width; ++x) {
+            const bool shows = covered[static_cast<std::size_t>(y * seen.shape.width + x)] == 255;
+            ASSERT_EQ(shows, painted.at(x, y) != 0) << x << ", " << y;
+            shown += shows ? 1 : 0;
+        }
+    EXPECT_GT(shown, 100);
+    EXPECT_LT(shown, std::int64_t{seen.shape.width} * seen.shape.height - 100);
 }
 
 /// Bit by bit: every layer is shown over the view of those below it alone, whichever were looked at

@@ -5,6 +5,7 @@
 #include "files/stored_image.hpp"
 #include "files/temporary_folder.hpp"
 #include "layers/apart.hpp"
+#include "layers/clipping.hpp"
 #include "recordings/channel_names.hpp"
 #include "recordings/surface_values.hpp"
 #include "shade/canvas.hpp"
@@ -144,6 +145,17 @@ TEST_F(LayerExport, EveryLayerHasItsOwnChannels) {
     EXPECT_EQ(file.spec.get_string_attribute("ImageDescription"),
               "Lengths are in millimetres. Layers from below: Ground_coat is \"Ground coat\"; Glaze is "
               "\"Glaze\"; Glaze_2 is \"Glaze\", opacity 0.5, hidden.");
+}
+
+TEST_F(LayerExport, OfAClippedLayerOnlyWhatShowsIsThere) {
+    stack.layers[1].look.clipped = true;
+    lay_out();
+    ASSERT_EQ(write("a.exr"), files::ExportStatus::Written);
+    const files::StoredImage file = files::stored_image(folder / "a.exr");
+    expect_layer(file, "Ground_coat", lower);
+    expect_layer(file, "Glaze", layers::clipped(middle, lower).shown);
+    EXPECT_THAT(file.spec.get_string_attribute("ImageDescription"),
+                HasSubstr("Glaze is \"Glaze\", clipped; "));
 }
 
 TEST_F(LayerExport, ThePictureIsThatOfTheWholePainting) {
