@@ -87,6 +87,7 @@ struct Inventory {
     }
     void operator()(const document::ToneGround& tone) { paints.insert(paint_text(tone.paint)); }
     void operator()(const document::LayTexture& lay) { paints.insert(paint_text(lay.paint)); }
+    void operator()(const document::AdjustDryPaint& adjust) { paints.insert(paint_text(adjust.paint)); }
     void operator()(const document::PenDown& pen) {
         ++strokes;
         well_strokes += pen.surface == document::Surface::Well ? 1 : 0;

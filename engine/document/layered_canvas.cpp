@@ -6,6 +6,7 @@
 #include "grid/turning.hpp"
 #include "layers/clipping.hpp"
 #include "layers/cutting.hpp"
+#include "layers/dry_cells.hpp"
 #include "layers/extent.hpp"
 #include "layers/flat_paint.hpp"
 #include "layers/merging.hpp"
@@ -459,6 +460,24 @@ LayerPaint LayeredCanvas::pour(const film::FilmState& poured) {
         layer = inactive_film(layers::merged(*layer, poured, 1.0, pool_));
     });
     return paint_on(poured);
+}
+
+AdjustedPaint LayeredCanvas::adjust_dry(const film::PaintCoefficients& paint,
+                                        const layers::Adjustment& adjustment, const grid::Mask* where) {
+    AdjustedPaint moved;
+    rearrange([&](LayerStack& stack) {
+        Layer& layer = stack.layers[stack.active];
+        // Where what is selected is all wet, nothing changes: on other cells a bit of it may be dry.
+        if (!layers::any_dry_cell(*layer.inactive))
+            throw core::InputError("there is no dry paint on \"%1\" to adjust.", layer.look.name);
+        layers::AdjustedLayer adjusted =
+            layers::adjusted(*layer.inactive, paint, adjustment, where, pool_);
+        moved.taken.dried = adjusted.added;
+        moved.taken.evaporated = adjusted.evaporated;
+        moved.wiped.dried = adjusted.removed;
+        layer.inactive = inactive_film(std::move(adjusted.film));
+    });
+    return moved;
 }
 
 LayerPaint LayeredCanvas::duplicate(const DuplicateLayer& duplicate) {

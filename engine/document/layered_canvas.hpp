@@ -14,6 +14,7 @@
 #include "film/state.hpp"
 #include "grid/extent.hpp"
 #include "grid/mask.hpp"
+#include "layers/adjusting.hpp"
 #include "layers/apart.hpp"
 #include "layers/resampling.hpp"
 #include "layers/view.hpp"
@@ -51,6 +52,11 @@ struct LayerPaint {
 /// What a layer has held before and after a change.
 struct LayerChange {
     LayerPaint before, after;
+};
+
+/// What came out of the tubes for a change, and what was wiped off.
+struct AdjustedPaint {
+    LayerPaint taken, wiped;
 };
 
 /// Moves the paint of a painting's active layer, and changes its layers: film, stack and bare canvas of
@@ -98,6 +104,9 @@ class LayeredCanvas {
     /// Below all layers, on one of that name. Returns what it holds.
     LayerPaint lay_ground(const std::string& name, film::FilmState ground);
     LayerPaint pour(const film::FilmState& poured);
+    /// Adjusts what is dry on the active layer (layers::adjusted()). Throws InputError where nothing is.
+    AdjustedPaint adjust_dry(const film::PaintCoefficients& paint, const layers::Adjustment& adjustment,
+                             const grid::Mask* where);
     LayerPaint duplicate(const DuplicateLayer& duplicate);  ///< what came out of the tubes
     LayerPaint paste(const PastePaint& paste, const film::FilmState& copied);  ///< the same
     LayerPaint remove(const RemoveLayer& remove);                              ///< what was wiped off

@@ -44,6 +44,8 @@ void note_paints(const Action& action, std::vector<std::string>& names) {
         note_names(tone->paint, names);
     } else if (const auto* texture = std::get_if<LayTexture>(&action)) {
         note_names(texture->paint, names);
+    } else if (const auto* adjust = std::get_if<AdjustDryPaint>(&action)) {
+        note_names(adjust->paint, names);
     }
 }
 

@@ -88,14 +88,21 @@ float wet_height_mm(std::int32_t thickness_quanta) {
 
 bool holds_paint(const FilmState& layer, int tile) {
     return !layer.thickness.is_background(tile) || !layer.paint.is_background(tile) ||
-           !layer.support_mm.is_background(tile) || !layer.strata.optics.is_background(tile) ||
+           holds_dry_paint(layer, tile);
+}
+
+bool holds_paint(const FilmState& layer, int x, int y) {
+    return layer.thickness.at(x, y) > 0 || holds_dry_paint(layer, x, y);
+}
+
+bool holds_dry_paint(const FilmState& layer, int tile) {
+    return !layer.support_mm.is_background(tile) || !layer.strata.optics.is_background(tile) ||
            !layer.strata.soluble_thickness.is_background(tile) ||
            !layer.strata.soluble_pigment.is_background(tile);
 }
 
-bool holds_paint(const FilmState& layer, int x, int y) {
-    return layer.thickness.at(x, y) > 0 || layer.support_mm.at(x, y) != 0.0F ||
-           layer.strata.optics.at(x, y) != film::kClearStrata ||
+bool holds_dry_paint(const FilmState& layer, int x, int y) {
+    return layer.support_mm.at(x, y) != 0.0F || layer.strata.optics.at(x, y) != film::kClearStrata ||
            !film::is_empty(layer.strata.soluble_pigment.at(x, y),
                            layer.strata.soluble_thickness.at(x, y));
 }

@@ -38,7 +38,11 @@ bool holds_paint(const film::FilmState& layer, int tile);
 /// The same of a cell.
 bool holds_paint(const film::FilmState& layer, int x, int y);
 
-/// The smallest rectangle around the cells that do.
+/// The same of dry paint alone.
+bool holds_dry_paint(const film::FilmState& layer, int tile);
+bool holds_dry_paint(const film::FilmState& layer, int x, int y);
+
+/// The smallest rectangle around the cells that hold anything.
 grid::Rect painted_area(const film::FilmState& layer);
 
 /// Makes a tile of one field that of another, of the same shape.

@@ -93,13 +93,6 @@ std::int64_t tile_fixed_quanta(const FilmState& layer, int tile) {
     return sum;
 }
 
-film::DriedTotals difference(film::DriedTotals a, const film::DriedTotals& b) {
-    a.thickness -= b.thickness;
-    for (std::size_t k = 0; k < a.pigment.size(); ++k)
-        a.pigment[k] -= b.pigment[k];
-    return a;
-}
-
 }  // namespace
 
 CutLayer cut(const FilmState& layer, const grid::Mask& mask) {
@@ -107,7 +100,8 @@ CutLayer cut(const FilmState& layer, const grid::Mask& mask) {
     CutLayer parts{part_of(layer, mask, true), part_of(layer, mask, false)};
     parts.inside.strata.fixed =
         share_fixed(layer.strata.fixed, fixed_relief_quanta(parts.inside), fixed_relief_quanta(layer));
-    parts.outside.strata.fixed = difference(layer.strata.fixed, parts.inside.strata.fixed);
+    parts.outside.strata.fixed = layer.strata.fixed;
+    parts.outside.strata.fixed -= parts.inside.strata.fixed;
     parts.outside.strata.evaporated = layer.strata.evaporated;
     return parts;
 }

@@ -60,6 +60,16 @@ template <class Real>
             opacity * layer.reverse};
 }
 
+/// Two layers side by side in flecks too fine to be seen, the second on a share of the area, in the same
+/// light, which wanders between them as in faded(): every share is the mean by area (Neugebauer 1937).
+template <class Real>
+[[gnu::always_inline]] inline LayerOptics<Real> flecked(const LayerOptics<Real>& first,
+                                                        const LayerOptics<Real>& second, Real share) {
+    const auto mean = [share](Real a, Real b) { return (1 - share) * a + share * b; };
+    return {mean(first.reflectance, second.reflectance), mean(first.transmittance, second.transmittance),
+            mean(first.reverse, second.reverse)};
+}
+
 /// A layer that looks, over whatever ground, like opaque paint on a share of the area: as seen through
 /// the surface, share * outside + (1 - share) * what is seen of the ground, both as light that leaves it.
 /// `outside` is the paint's reflectance after the surface. What the surface does (through_surface(), with

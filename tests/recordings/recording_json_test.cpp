@@ -139,6 +139,8 @@ Recording everything() {
         {47, LayTexture{{{{"PW6", 1.0}}}, layers::SandTexture{1.25, 4000000000U}}},
         {47, LayTexture{{{{"PW6", 1.0}}}, layers::KnifedTexture{0.5, 2.5, -30, 7}}},
         {47, LayTexture{{{{"PW6", 1.0}}}, pressed_texture()}},
+        {47, AdjustDryPaint{{{{"PB29", 1.0}}, 0.5}, layers::Glaze{0.0375}}},
+        {47, AdjustDryPaint{{{{"#c03020", 1.0}}}, layers::PaintExchange{0.375}}},
         {48, SelectAll{}},
         {49, MaskStripe{{{1, 2}, {30.5, -2}, {20, 40}}, 7.5}},
         {49, MaskStripe{{{1, 2}, {3, 2}}, 12, true, true}},
@@ -491,6 +493,8 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
         recording.events = {{0, SetGuide{{.strength = 0.5}}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
+        recording.events = {{0, AdjustDryPaint{}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
     }
 }
 

@@ -2,6 +2,7 @@
 // a replay applies them again.
 #pragma once
 
+#include "document/actions/adjust_actions.hpp"
 #include "document/actions/aid_actions.hpp"
 #include "document/actions/brush_actions.hpp"
 #include "document/actions/canvas_actions.hpp"
@@ -37,10 +38,11 @@ template <class... First, class... Second, class... Rest>
 struct JoinedActions<ActionList<First...>, ActionList<Second...>, Rest...>
     : JoinedActions<ActionList<First..., Second...>, Rest...> {};
 
-using AllActions = JoinedActions<BrushActions, MediaActions, CanvasActions, PenActions, WellActions,
-                                 HistoryActions, AidActions, LayerActions, GroupActions,
-                                 SelectionActions, MarginActions, MaskingActions, PictureActions,
-                                 CopyActions, FillActions, TextureActions, ReferenceActions>;
+using AllActions =
+    JoinedActions<BrushActions, MediaActions, CanvasActions, PenActions, WellActions, HistoryActions,
+                  AidActions, LayerActions, GroupActions, SelectionActions, MarginActions,
+                  MaskingActions, PictureActions, CopyActions, FillActions, TextureActions,
+                  ReferenceActions, AdjustActions>;
 
 using Action = AllActions::Variant;
 

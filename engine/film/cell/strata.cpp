@@ -43,6 +43,13 @@ DriedTotals& DriedTotals::operator+=(const DriedTotals& other) {
     return *this;
 }
 
+DriedTotals& DriedTotals::operator-=(const DriedTotals& other) {
+    thickness -= other.thickness;
+    for (int k = 0; k < kPigmentChannels; ++k)
+        pigment[k] -= other.pigment[k];
+    return *this;
+}
+
 bool is_empty(const PigmentCell& pigment, std::int32_t thickness) {
     return thickness == 0 && std::all_of(pigment.begin(), pigment.end(), [](auto k) { return k == 0; });
 }

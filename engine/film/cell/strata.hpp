@@ -57,6 +57,7 @@ struct DriedTotals {
     std::array<std::int64_t, kPigmentChannels> pigment{};
 
     DriedTotals& operator+=(const DriedTotals& other);
+    DriedTotals& operator-=(const DriedTotals& other);
     friend bool operator==(const DriedTotals&, const DriedTotals&) = default;
 };
 
