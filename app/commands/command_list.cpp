@@ -217,6 +217,9 @@ constexpr CommandText kCommands[] = {
         QT_TR_NOOP(
             "Move, scale, turn and mirror the layer's paint, or what is selected of it, by a frame"),
         true},
+    CommandText{Command::AdjustDryPaint, kLayer, QT_TR_NOOP("Ad&just dry paint..."), "Ctrl+U",
+                QT_TR_NOOP("Colour adjustment of what is dry: a glaze over it, or another hue by other "
+                           "pigments")},
     CommandText{Command::MergeDown, kLayer, QT_TR_NOOP("M&erge down"), "Ctrl+E",
                 QT_TR_NOOP("Put the layer's paint on the layer below, and make them one"), false, true},
     CommandText{Command::FlattenLayers, kLayer, QT_TR_NOOP("&Flatten what is visible"), "Ctrl+Shift+E",

@@ -86,6 +86,7 @@ enum class Command {
     RemoveLayer,
     ClearLayer,
     TransformLayer,
+    AdjustDryPaint,
     MergeDown,
     FlattenLayers,
     GroupLayers,

@@ -95,6 +95,7 @@ constexpr Name kNames[] = {
     {Command::RemoveLayer, "remove_layer"},
     {Command::ClearLayer, "clear_layer"},
     {Command::TransformLayer, "transform_layer"},
+    {Command::AdjustDryPaint, "adjust_dry_paint"},
     {Command::MergeDown, "merge_down"},
     {Command::FlattenLayers, "flatten_layers"},
     {Command::GroupLayers, "group_layers"},

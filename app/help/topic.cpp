@@ -31,6 +31,7 @@ constexpr Topic kTopics[] = {
     {"pastoso::panels::TracingPanel", "layers#tracing"},
     {"pastoso::panels::ReferencePanel", "layers#references"},
     {"pastoso::dialogs::TransformDialog", "layers#moving-scaling-and-turning"},
+    {"pastoso::dialogs::AdjustDialog", "layers#adjusting-dry-paint"},
     {"pastoso::dialogs::ScaleDialog", "layers#another-size-or-resolution"},
     {"pastoso::dialogs::RotateDialog", "layers#the-whole-painting-mirrored-and-turned"},
     {"pastoso::dialogs::CanvasSizeDialog", "layers#the-size-of-the-canvas"},

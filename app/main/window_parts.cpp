@@ -14,6 +14,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       masking(studio, panels.brushes),
       fills(studio, panels.brushes),
       textures(studio, loading),
+      dry_adjusting(studio),
       tracing(studio, loading, panels.tracing),
       references(studio, loading, panels.references,
                  panels.docks.at(commands::Command::ReferencesPanel)),

@@ -19,6 +19,7 @@
 #include "main/files/recorder.hpp"
 #include "main/files/start_commands.hpp"
 #include "main/layers/clipboard.hpp"
+#include "main/layers/dry_adjusting.hpp"
 #include "main/layers/layer_commands.hpp"
 #include "main/layers/layer_pictures.hpp"
 #include "main/layers/layer_transform.hpp"
@@ -73,6 +74,7 @@ struct WindowParts {
     MaskingCommands masking;
     FillCommands fills;
     TextureCommands textures;
+    DryAdjusting dry_adjusting;
     TracingCommands tracing;
     ReferenceCommands references;
     WellCommands well;

@@ -313,6 +313,11 @@ void Easel::lay_texture(const LayTexture& lay) {
     post_(lay);
 }
 
+void Easel::adjust_dry_paint(const AdjustDryPaint& adjust) {
+    end_stroke();
+    post_(adjust);
+}
+
 void Easel::fill(const FillWithPaint& fill) {
     end_stroke();
     post_(fill);

@@ -116,6 +116,7 @@ class Easel {
     void fill(const document::FillWithPaint& fill);
     void tone_ground(const document::ToneGround& tone);
     void lay_texture(const document::LayTexture& lay);
+    void adjust_dry_paint(const document::AdjustDryPaint& adjust);
     void undo();
     void redo();
 

@@ -26,7 +26,10 @@ CellColour colour_under_even_light(const film::PaintCoefficients& paint, const S
 
 pigment::Srgb8 spot_colour(const film::PaintCoefficients& paint, const Spot& spot) {
     PASTOSO_CHECK(spot.film_mm >= 0.0 && spot.film_mm <= film::kMaxThickness_mm);
-    const CellColour colour = colour_under_even_light(paint, spot);
+    return lit_colour(colour_under_even_light(paint, spot), spot);
+}
+
+pigment::Srgb8 lit_colour(const CellColour& colour, const Spot& spot) {
     SurfacePoint point{};
     point.sky = 1.0F;
     point.wetness = colour.wetness;

@@ -4,6 +4,7 @@
 #include "film/cell/paint_cell.hpp"
 #include "pigment/hex_colour.hpp"
 #include "shade/render.hpp"
+#include "shade/tile_colour.hpp"
 
 namespace pastoso::shade {
 
@@ -22,5 +23,8 @@ struct Spot {
 /// shadow. `paint` is per mm of film, as a brush holds it. Throws InputError for a light that
 /// shading_constants() refuses. About a microsecond.
 pigment::Srgb8 spot_colour(const film::PaintCoefficients& paint, const Spot& spot);
+
+/// The same of cells of that colour (tile_colour.hpp), in the spot's light.
+pigment::Srgb8 lit_colour(const CellColour& colour, const Spot& spot);
 
 }  // namespace pastoso::shade

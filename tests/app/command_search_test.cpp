@@ -46,6 +46,11 @@ TEST(CommandSearch, BeginningsMayBeTypedInOneWord) {
     EXPECT_THAT(find_commands("ln"), Not(Contains(Command::AddLayer)));
 }
 
+TEST(CommandSearch, FindsWhatOtherProgramsCallOtherwise) {
+    for (const char* typed : {"adjust", "hue", "colour adjustment", "glaze"})
+        EXPECT_THAT(find_commands(QString::fromUtf8(typed)), Contains(Command::AdjustDryPaint)) << typed;
+}
+
 TEST(CommandSearch, TheMiddleOfAWordFindsNothing) {
     EXPECT_THAT(find_commands("ayer"), IsEmpty());
     EXPECT_THAT(find_commands("new zebra"), IsEmpty());

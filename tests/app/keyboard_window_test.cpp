@@ -4,6 +4,7 @@
 #include "appearance/theme.hpp"
 #include "commands/key_bindings.hpp"
 #include "core/units.hpp"
+#include "dialogs/adjust_dialog.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
 #include "dialogs/crash_dialog.hpp"
 #include "dialogs/export_dialog.hpp"
@@ -419,6 +420,15 @@ TEST_F(Keyboard, ReachesAllOfEveryTexture) {
     for (const Form form : {Form::Sand, Form::Knifed, Form::Pressed}) {
         dialogs::TextureDialog dialog({.form = form, .picture = QStringLiteral("/tmp/a.png")}, {},
                                       &window());
+        expect_all_reached(dialog);
+    }
+}
+
+TEST_F(Keyboard, ReachesAllOfEveryAdjustment) {
+    using Way = dialogs::ChosenAdjustment::Way;
+    for (const Way way : {Way::Glaze, Way::Exchange}) {
+        dialogs::AdjustDialog dialog(
+            {.way = way}, [](const auto&) { return tools::AdjustedColours{}; }, &window());
         expect_all_reached(dialog);
     }
 }

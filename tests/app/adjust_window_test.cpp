@@ -1,0 +1,134 @@
+// Dry paint adjusted in the real window: chosen and foretold in a dialog, one step for Undo.
+#include "app/selection_fixture.hpp"
+#include "dialogs/adjust_dialog.hpp"
+
+#include <variant>
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <gmock/gmock.h>
+
+namespace pastoso::tests {
+namespace {
+
+using commands::Command;
+using Way = dialogs::ChosenAdjustment::Way;
+using testing::HasSubstr;
+
+class AdjustWindow : public SelectionFixture {
+  protected:
+    void lay_dry_blue() {
+        studio().choose_paint({{{"PB29", 1.0}}});
+        give(Command::FillPaint);
+        give(Command::DryNow);
+    }
+    void take_white() {
+        studio().choose_paint({{{"PW6", 1.0}}});
+        settle();
+    }
+    dialogs::AdjustDialog* dialog() { return window().findChild<dialogs::AdjustDialog*>(); }
+    dialogs::AdjustDialog& opened() {
+        give(Command::AdjustDryPaint);
+        return *dialog();
+    }
+    template <class Widget>
+    static Widget& part(dialogs::AdjustDialog& from, const char* name) {
+        return *from.findChild<Widget*>(QString::fromLatin1(name));
+    }
+    static void choose(dialogs::AdjustDialog& from, Way way) {
+        part<QComboBox>(from, "way").setCurrentIndex(static_cast<int>(way));
+    }
+    static QColor swatch(dialogs::AdjustDialog& from, const char* name) {
+        return part<QLabel>(from, name).pixmap(Qt::ReturnByValue).toImage().pixelColor(5, 5);
+    }
+    /// It is closed and gone.
+    void adjust(dialogs::AdjustDialog& from) {
+        from.accept();
+        settle();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        session().wait_until_applied();
+    }
+    document::AdjustDryPaint last() {
+        session().wait_until_applied();
+        return std::get<document::AdjustDryPaint>(session().recording().events.back().action);
+    }
+    film::StrataOptics optics(double x_mm, double y_mm) {
+        session().wait_until_applied();
+        const auto painting = session().snapshot();
+        return painting->film.strata.optics.at(static_cast<int>(x_mm / painting->film.cell_mm),
+                                               static_cast<int>(y_mm / painting->film.cell_mm));
+    }
+};
+
+TEST_F(AdjustWindow, ALayerWithoutDryPaintIsToldAndNothingAsked) {
+    give(Command::AdjustDryPaint);
+    EXPECT_EQ(dialog(), nullptr);
+    EXPECT_THAT(told(), HasSubstr("no dry paint"));
+    lay_dry_blue();
+    give(Command::LockLayer);
+    give(Command::AdjustDryPaint);
+    EXPECT_EQ(dialog(), nullptr);
+    EXPECT_THAT(told(), HasSubstr("locked"));
+}
+
+TEST_F(AdjustWindow, AGlazeOfThePaintInHandIsLaid) {
+    lay_dry_blue();
+    take_white();
+    const film::StrataOptics before = optics(20.0, 20.0);
+    dialogs::AdjustDialog& asked = opened();
+    EXPECT_FALSE(part<QDoubleSpinBox>(asked, "share").isVisibleTo(&asked));
+    part<QDoubleSpinBox>(asked, "thickness_um").setValue(30.0);
+    EXPECT_GT(swatch(asked, "after").red(), swatch(asked, "before").red());
+    adjust(asked);
+    EXPECT_EQ(last().paint, studio().easel().hand().paint);
+    EXPECT_DOUBLE_EQ(std::get<layers::Glaze>(last().way).thickness_mm, 0.03);
+    EXPECT_NE(optics(20.0, 20.0), before);
+    EXPECT_EQ(volume_mm3(), 0.0) << "nothing of it is wet";
+    give(Command::Undo);
+    EXPECT_EQ(optics(20.0, 20.0), before);
+    EXPECT_EQ(opened().chosen().glaze.thickness_mm, 0.03) << "as it was chosen last";
+}
+
+TEST_F(AdjustWindow, OtherPigmentsKeepToTheSelection) {
+    lay_dry_blue();
+    take_white();
+    give(Command::SelectRectangle);
+    drag({{10.0, 10.0}, {40.0, 30.0}});
+    const film::StrataOptics before = optics(25.0, 20.0);
+    dialogs::AdjustDialog& asked = opened();
+    choose(asked, Way::Exchange);
+    EXPECT_FALSE(part<QDoubleSpinBox>(asked, "thickness_um").isVisibleTo(&asked));
+    EXPECT_THAT(part<QLabel>(asked, "meaning").text().toStdString(), HasSubstr("replaced"));
+    part<QDoubleSpinBox>(asked, "share").setValue(0.0);
+    EXPECT_EQ(swatch(asked, "after"), swatch(asked, "before"));
+    part<QDoubleSpinBox>(asked, "share").setValue(75.0);
+    EXPECT_GT(swatch(asked, "after").red(), swatch(asked, "before").red());
+    adjust(asked);
+    EXPECT_DOUBLE_EQ(std::get<layers::PaintExchange>(last().way).share, 0.75);
+    EXPECT_NE(optics(25.0, 20.0), before);
+    EXPECT_EQ(optics(50.0, 20.0), before);
+}
+
+TEST_F(AdjustWindow, AnotherPaintTakenMeanwhileIsForetold) {
+    lay_dry_blue();
+    dialogs::AdjustDialog& asked = opened();
+    choose(asked, Way::Exchange);
+    const QColor in_blue = swatch(asked, "after");
+    take_white();
+    EXPECT_GT(swatch(asked, "after").red(), in_blue.red());
+}
+
+TEST_F(AdjustWindow, AMediumOfWhichNothingStaysIsNoGlaze) {
+    lay_dry_blue();
+    studio().easel().use_medium("thinner");
+    studio().show_hand();
+    settle();
+    dialogs::AdjustDialog& asked = opened();
+    EXPECT_FALSE(asked.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+    EXPECT_TRUE(part<QLabel>(asked, "problem").isVisibleTo(&asked));
+}
+
+}  // namespace
+}  // namespace pastoso::tests
