@@ -329,6 +329,24 @@ TEST_F(ProjectRoundTrip, TexturesComeBackAndReplay) {
               painting->state_hash());
 }
 
+TEST_F(ProjectRoundTrip, AdjustedDryPaintComesBackAndReplays) {
+    document::Recording recording = busy_session();
+    const document::PaintRecipe red{{{"PR108", 1.0}}};
+    for (const document::Action& action :
+         {document::Action(document::LayTexture{red, layers::SandTexture{0.7, 3}}),
+          document::Action(document::AdjustDryPaint{{{{"PB29", 1.0}}}, layers::PaintExchange{0.4}}),
+          document::Action(document::AdjustDryPaint{{{{"PY35", 1.0}}}, layers::Glaze{0.0125}})})
+        recording.events.push_back({recording.end_tick, action});
+    recording.end_tick += 20;
+    const auto painting = played(recording, recording.end_tick, pool);
+    const Project project = project_of(*painting, recording);
+    const LoadedProject loaded = saved_and_loaded(project);
+    expect_equal(loaded.painting, project.painting);
+    EXPECT_EQ(loaded.strokes, project.strokes);
+    EXPECT_EQ(played(loaded.strokes, loaded.strokes.end_tick, pool)->state_hash(),
+              painting->state_hash());
+}
+
 TEST_F(ProjectRoundTrip, ACanvasThatWasCutComesBackAndReplays) {
     document::Recording recording = busy_session();
     recording.events.push_back({recording.end_tick, document::ResizeCanvas{-7, 4, 50, 31}});
