@@ -39,14 +39,17 @@ class BlockRows {
     }
 
   private:
+    /// 1 or 0.
+    static std::uint8_t seen(std::uint8_t share) { return grid::is_chosen(share) ? 1 : 0; }
+
     void gather(const std::uint8_t* chosen, const Rect& cells, Row& row) const {
         const int shift = std::countr_zero(static_cast<unsigned>(block_));
         for (int y = cells.y0; y < cells.y1; ++y) {
             const std::uint8_t* from = chosen + grid::Shape::cell_in_tile(cells.x0, y);
-            if (block_ == 1) std::copy_n(from, cells.width(), row.begin() + (cells.x0 - first_));
+            if (block_ == 1) std::transform(from, from + cells.width(), &row[cells.x0 - first_], seen);
             if (block_ == 1) continue;
             for (int x = cells.x0; x < cells.x1; ++x)
-                row[(x >> shift) - first_] |= from[x - cells.x0];
+                row[(x >> shift) - first_] |= seen(from[x - cells.x0]);
         }
     }
 

@@ -17,7 +17,8 @@ struct MaskWindow {
     int block = 1;     ///< cells along a side, 1, 2, 4 ... 64: all of a block count as chosen if one is
 };
 
-/// The borders between chosen cells and others, those beside the canvas being others. Every two points
+/// The borders between cells that are chosen by half or more and others, those beside the canvas being
+/// others. Every two points
 /// are a line, in millimetres: level or upright, each as long as it goes on. Nothing where these are
 /// more than `most_lines`.
 std::optional<std::vector<glm::vec2>> mask_borders_mm(const grid::Mask& mask, double cell_mm,

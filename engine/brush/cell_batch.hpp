@@ -17,7 +17,8 @@ inline constexpr int kBatchStep = 16;
 /// Reused from footprint to footprint; valid until the film changes.
 class CellBatch {
   public:
-    /// Tools may change the cells of the mask alone, which outlives the batch; null: all of them.
+    /// Tools may change the cells of the mask alone, which outlives the batch, and with each exchange
+    /// its share of what they would; null: all of them.
     explicit CellBatch(const grid::Mask* limit = nullptr) : limit_(limit) {}
 
     /// The cells of one tile, as a range of the columns.
@@ -35,9 +36,11 @@ class CellBatch {
 
     int count() const { return count_; }
     bool is_limited() const { return limit_ != nullptr; }
-    bool may_change(const TilePart& part, int i) const {
-        return limit_ == nullptr || limit_->read(part.tile)[cell[i]] != 0;
+    /// Of the cell, as grid::Mask has it.
+    std::uint8_t share(const TilePart& part, int i) const {
+        return limit_ == nullptr ? grid::kWhole : limit_->read(part.tile)[cell[i]];
     }
+    bool may_change(const TilePart& part, int i) const { return share(part, i) != 0; }
 
     int padded_count() const { return (count_ + kBatchStep - 1) / kBatchStep * kBatchStep; }
     const std::vector<TilePart>& parts() const { return parts_; }

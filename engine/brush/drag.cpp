@@ -102,10 +102,12 @@ void PaintDrag::compute_shares(const ExchangeRule& rule, const DragRates& rates,
         const grid::Rect tile = film.shape.tile_cells(part.tile);
         for (int i = part.begin; i < part.end; ++i) {
             const std::int32_t cell = touched.cell[i];
-            if (thickness[cell] == 0 || !touched.may_change(part, i)) continue;
+            const std::uint8_t share = touched.share(part, i);
+            if (thickness[cell] == 0 || share == 0) continue;
             if (!alike && !is_no_stiffer(paint[cell], thickness[cell], log_viscosity)) continue;
             shares_.set(tile.x0 + cell % grid::kTileSize, tile.y0 + cell / grid::kTileSize,
-                        rates.share * touch_of(rule, touched, i), touched.cells());
+                        rates.share * touch_of(rule, touched, i) * grid::fraction_of(share),
+                        touched.cells());
         }
     }
 }

@@ -142,12 +142,13 @@ std::optional<film::AirJet> Stroke::air_jet() const {
     wavering.x_mm += kWaver_radii * radius_mm * gust.x;
     wavering.y_mm += kWaver_radii * radius_mm * gust.y;
     const HandPose hand = placed(placement_, wavering);
-    if (!may_change(hand.x_mm, hand.y_mm)) return std::nullopt;
+    const double share = free_share(hand.x_mm, hand.y_mm);
+    if (share <= 0.0) return std::nullopt;
     const double lean = std::max(1.0, std::hypot(hand.lean_x, hand.lean_y));
     return film::AirJet{.x_mm = hand.x_mm,
                         .y_mm = hand.y_mm,
                         .radius_mm = radius_mm,
-                        .pressure_Pa = brush_.preset.air.pressure_Pa * hand.flow * hand.press,
+                        .pressure_Pa = brush_.preset.air.pressure_Pa * hand.flow * hand.press * share,
                         .lean_x = hand.lean_x / lean,
                         .lean_y = hand.lean_y / lean};
 }
@@ -156,11 +157,11 @@ grid::Rect Stroke::take_changed_cells() {
     return grid::bounding_box(std::exchange(changed_, {}), droplets_.take_changed_cells());
 }
 
-bool Stroke::may_change(double x_mm, double y_mm) const {
-    if (limit_ == nullptr) return true;
+double Stroke::free_share(double x_mm, double y_mm) const {
+    if (limit_ == nullptr) return 1.0;
     const double x = std::floor(x_mm / film_.cell_mm), y = std::floor(y_mm / film_.cell_mm);
-    if (x < 0.0 || y < 0.0 || x >= film_.shape.width || y >= film_.shape.height) return false;
-    return limit_->at(static_cast<int>(x), static_cast<int>(y)) != 0;
+    if (x < 0.0 || y < 0.0 || x >= film_.shape.width || y >= film_.shape.height) return 0.0;
+    return grid::fraction_of(limit_->at(static_cast<int>(x), static_cast<int>(y)));
 }
 
 void Stroke::paint_steps() {

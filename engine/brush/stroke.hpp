@@ -81,7 +81,8 @@ class Stroke {
     HandPose pose(const PathStep& step) const;
     StrokeState state() const;
     void roll(HandPose& hand);
-    bool may_change(double x_mm, double y_mm) const;
+    /// Of the cell there that tools may change, 0 to 1.
+    double free_share(double x_mm, double y_mm) const;
     void paint_steps();
     void take_step(const PathStep& step);
     void paint_step(const PathStep& step);

@@ -121,16 +121,20 @@ bool begins_strata(const ApplyRule& rule, const CellBatch& batch, const CellBatc
         rule, film.paint.read(part.tile), cells_of(batch, part, nullptr, nullptr, nullptr));
 }
 
-/// Takes back what is planned for cells that must stay as they are. Returns what is wanted of the
-/// others.
+/// Leaves of what is planned for a cell the share that may be changed of it. Returns what is wanted
+/// then.
 WantedSums limit_plan(CellBatch& batch, WantedSums wanted) {
     for (const CellBatch::TilePart& part : batch.parts()) {
         for (int i = part.begin; i < part.end; ++i) {
-            if (batch.may_change(part, i)) continue;
-            wanted.deposit -= std::max(batch.change[i], 0);
-            wanted.swap -= batch.swap[i];
-            batch.change[i] = batch.swap[i] = 0;
-            batch.touched[i] = 0.0F;
+            const std::uint8_t share = batch.share(part, i);
+            if (share == grid::kWhole) continue;
+            const std::int32_t change = grid::share_of(batch.change[i], share);
+            const std::int32_t swap = grid::share_of(batch.swap[i], share);
+            wanted.deposit -= std::max(batch.change[i], 0) - std::max(change, 0);
+            wanted.swap -= batch.swap[i] - swap;
+            batch.change[i] = change;
+            batch.swap[i] = swap;
+            batch.touched[i] *= grid::fraction_of(share);
         }
     }
     return wanted;

@@ -9,7 +9,7 @@
 namespace pastoso::document {
 
 struct Masking {
-    std::shared_ptr<const grid::Mask> cells{};  ///< null: nothing is masked
+    std::shared_ptr<const grid::Mask> cells{};  ///< without soft edges; null: nothing is masked
     friend bool operator==(const Masking&, const Masking&) = default;
 };
 

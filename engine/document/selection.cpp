@@ -1,5 +1,6 @@
 #include "document/selection.hpp"
 
+#include "grid/feathering.hpp"
 #include "grid/mask_margins.hpp"
 #include "grid/turning.hpp"
 #include "layers/clipping.hpp"
@@ -24,7 +25,7 @@ grid::Mask cells_within(grid::Shape shape, double least_mm, double most_mm, cons
         std::array<std::uint8_t, grid::kTileCells> chosen;
         for (int cell = 0; cell < grid::kTileCells; ++cell) {
             const double value = value_mm(tile, cell);
-            chosen[cell] = value >= least_mm && value <= most_mm ? 1 : 0;
+            chosen[cell] = value >= least_mm && value <= most_mm ? grid::kWhole : 0;
         }
         builder.set_tile(tile, chosen.data());
     }
@@ -86,6 +87,10 @@ Selection changed_by(const ShrinkSelection& shrink, const Selection& before, dou
 Selection changed_by(const BorderSelection& border, const Selection& before, double cell_mm) {
     return before ? selection_of(grid::along_outline(*before, 0.5 * border.width_mm / cell_mm))
                   : nullptr;
+}
+
+Selection changed_by(const FeatherSelection& feather, const Selection& before, double cell_mm) {
+    return before ? selection_of(grid::feathered(*before, feather.radius_mm / cell_mm)) : nullptr;
 }
 
 Selection on_extent(const Selection& before, const grid::Extent& extent) {

@@ -13,7 +13,8 @@
 
 namespace pastoso::document {
 
-using Selection = std::shared_ptr<const grid::Mask>;  ///< null: none is selected, all may be changed
+/// By which share tools may change each cell; null: none is selected, all may be changed.
+using Selection = std::shared_ptr<const grid::Mask>;
 
 /// What the lines and the ranges of selection_actions.hpp hold of a film on a bare support.
 grid::Mask area_of(const SelectArea& select, const film::FilmState& film);
@@ -29,6 +30,7 @@ Selection inverted(const Selection& before);
 Selection changed_by(const GrowSelection& grow, const Selection& before, double cell_mm);
 Selection changed_by(const ShrinkSelection& shrink, const Selection& before, double cell_mm);
 Selection changed_by(const BorderSelection& border, const Selection& before, double cell_mm);
+Selection changed_by(const FeatherSelection& feather, const Selection& before, double cell_mm);
 /// Nothing that is added is selected.
 Selection on_extent(const Selection& before, const grid::Extent& extent);
 Selection turned(const Selection& before, const core::Orientation& turn, core::ThreadPool& pool);

@@ -30,8 +30,11 @@ TileMask similar_cells(const TileColours& colours, const pigment::Lab& wanted, d
     TileMask chosen;
     for (int cell = 0; cell < grid::kTileCells; ++cell) {
         const bool as_before = cell > 0 && is_same(colours[cell], colours[cell - 1]);
-        chosen[cell] = as_before ? chosen[cell - 1]
-                                 : pigment::ciede2000(lab_of(colours[cell]), wanted) <= difference;
+        if (as_before)
+            chosen[cell] = chosen[cell - 1];
+        else
+            chosen[cell] =
+                pigment::ciede2000(lab_of(colours[cell]), wanted) <= difference ? grid::kWhole : 0;
     }
     return chosen;
 }

@@ -30,7 +30,7 @@ class Flood {
 
   private:
     bool is_open(Cell cell) const {
-        return mask_.at(cell.x, cell.y) != 0 && reached_.at(cell.x, cell.y) == 0;
+        return is_chosen(mask_.at(cell.x, cell.y)) && reached_.at(cell.x, cell.y) == 0;
     }
 
     void fill_run(Cell within) {
@@ -40,7 +40,7 @@ class Flood {
         while (end < mask_.shape().width && is_open({end, within.y}))
             ++end;
         for (int x = begin; x < end; ++x)
-            reached_.set(x, within.y, 1);
+            reached_.set(x, within.y, kWhole);
         if (within.y > 0) look_along(begin, end, within.y - 1);
         if (within.y + 1 < mask_.shape().height) look_along(begin, end, within.y + 1);
     }

@@ -48,7 +48,7 @@ void fill_row(const std::vector<Crossing>& row, int width, std::vector<std::uint
         winding += row[i].turn;
         if (winding == 0) continue;
         const int begin = first_cell_from(row[i].x, width), end = first_cell_from(row[i + 1].x, width);
-        std::fill(chosen.begin() + begin, chosen.begin() + end, std::uint8_t{1});
+        std::fill(chosen.begin() + begin, chosen.begin() + end, kWhole);
     }
 }
 
@@ -61,23 +61,38 @@ std::uint8_t combined(std::uint8_t before, std::uint8_t region, Combination how)
         case Combination::Replace:
             return region;
         case Combination::Add:
-            return before | region;
+            return std::max(before, region);
         case Combination::Subtract:
-            return before & static_cast<std::uint8_t>(1 - region);
+            return static_cast<std::uint8_t>(before - std::min(before, region));
         case Combination::Intersect:
-            return before & region;
+            return std::min(before, region);
     }
     return region;
 }
 
-/// The cells of a tile that lie on the canvas, one after the other.
+/// The cells of the canvas in tiles where some are chosen, one after the other, with their shares.
 template <class Visit>
-void for_chosen(const Mask& mask, int tile, const Visit& visit) {
-    const Rect cells = mask.shape().tile_cells(tile);
-    const std::uint8_t* chosen = mask.read(tile);
-    for (int y = cells.y0; y < cells.y1; ++y)
-        for (int x = cells.x0; x < cells.x1; ++x)
-            if (chosen[Shape::cell_in_tile(x, y)] != 0) visit(x, y);
+void for_shares(const Mask& mask, const Visit& visit) {
+    for (int tile = 0; tile < mask.tile_count(); ++tile) {
+        if (chooses_none(mask, tile)) continue;
+        const Rect cells = mask.shape().tile_cells(tile);
+        const std::uint8_t* shares = mask.read(tile);
+        for (int y = cells.y0; y < cells.y1; ++y)
+            for (int x = cells.x0; x < cells.x1; ++x)
+                visit(x, y, shares[Shape::cell_in_tile(x, y)]);
+    }
+}
+
+/// The mask with something else for every share.
+template <class Change>
+Mask with_shares(const Mask& mask, const Change& change) {
+    MaskBuilder builder(mask.shape());
+    for (int tile = 0; tile < mask.tile_count(); ++tile) {
+        TileMask shares;
+        std::transform(mask.read(tile), mask.read(tile) + kTileCells, shares.begin(), change);
+        builder.set_tile(tile, shares.data());
+    }
+    return builder.take();
 }
 
 }  // namespace
@@ -86,7 +101,7 @@ void MaskBuilder::set_tile(int tile, const std::uint8_t* chosen) {
     if (is_all(chosen, 0))
         mask_.reset(tile);
     else
-        mask_.replace(tile, is_all(chosen, 1) ? all_ : TileBlock<std::uint8_t>::copy_of(chosen));
+        mask_.replace(tile, is_all(chosen, kWhole) ? all_ : TileBlock<std::uint8_t>::copy_of(chosen));
 }
 
 Mask mask_by_rows(Shape shape,
@@ -128,30 +143,34 @@ Mask combined(const Mask& before, const Mask& region, Combination how) {
 }
 
 Mask inverted(const Mask& mask) {
-    MaskBuilder builder(mask.shape());
-    for (int tile = 0; tile < mask.tile_count(); ++tile) {
-        TileMask chosen;
-        std::transform(mask.read(tile), mask.read(tile) + kTileCells, chosen.begin(),
-                       [](std::uint8_t is_chosen) { return static_cast<std::uint8_t>(1 - is_chosen); });
-        builder.set_tile(tile, chosen.data());
-    }
-    return builder.take();
+    return with_shares(mask,
+                       [](std::uint8_t share) { return static_cast<std::uint8_t>(kWhole - share); });
+}
+
+Mask hardened(const Mask& mask) {
+    return with_shares(mask,
+                       [](std::uint8_t share) { return is_chosen(share) ? kWhole : std::uint8_t{0}; });
 }
 
 std::int64_t chosen_cells(const Mask& mask) {
     std::int64_t count = 0;
-    for (int tile = 0; tile < mask.tile_count(); ++tile)
-        if (!chooses_none(mask, tile)) for_chosen(mask, tile, [&](int, int) { ++count; });
+    for_shares(mask, [&](int, int, std::uint8_t share) { count += is_chosen(share) ? 1 : 0; });
     return count;
 }
 
 Rect chosen_area(const Mask& mask) {
     Rect area;
-    for (int tile = 0; tile < mask.tile_count(); ++tile) {
-        if (chooses_none(mask, tile)) continue;
-        for_chosen(mask, tile, [&](int x, int y) { area = bounding_box(area, {x, y, x + 1, y + 1}); });
-    }
+    for_shares(mask, [&](int x, int y, std::uint8_t share) {
+        if (share != 0) area = bounding_box(area, {x, y, x + 1, y + 1});
+    });
     return area;
+}
+
+bool is_soft(const Mask& mask) {
+    bool soft = false;
+    for_shares(mask,
+               [&](int, int, std::uint8_t share) { soft = soft || (share != 0 && share != kWhole); });
+    return soft;
 }
 
 std::size_t bytes_in_part(const Mask& mask) {
@@ -166,7 +185,7 @@ bool chooses_none(const Mask& mask, int tile) {
 }
 
 bool chooses_all(const Mask& mask, int tile) {
-    return is_all(mask.read(tile), 1);
+    return is_all(mask.read(tile), kWhole);
 }
 
 }  // namespace pastoso::grid

@@ -17,7 +17,7 @@ class UprightDistances {
         : area_(area), distances_(static_cast<std::size_t>(area.width()) * area.height(), kFar) {
         for (int y = area.y0; y < area.y1; ++y) {
             for (int x = area.x0; x < area.x1; ++x)
-                if (mask.at(x, y) != 0) row(y)[x - area.x0] = 0;
+                if (is_chosen(mask.at(x, y))) row(y)[x - area.x0] = 0;
             if (y > area.y0) pass_on(row(y - 1), row(y));
         }
         for (int y = area.y1 - 2; y >= area.y0; --y)
@@ -57,7 +57,7 @@ void choose_reached(const Distance* upright, const std::vector<int>& half, const
     int reaching = 0;
     for (int x = 0; x < width; ++x) {
         reaching += discs[x];
-        chosen[area.x0 + x] = reaching > 0 ? 1 : 0;
+        chosen[area.x0 + x] = reaching > 0 ? kWhole : 0;
     }
 }
 

@@ -1,4 +1,5 @@
-// A choice of cells made wider or narrower by a distance, the same in every direction.
+// A choice of cells made wider or narrower by a distance, the same in every direction. A cell is chosen
+// from one half on; what comes of it has no soft edges.
 #pragma once
 
 #include "grid/mask.hpp"

@@ -56,7 +56,7 @@ void choose(const Interval& crossed, std::vector<std::uint8_t>& chosen) {
     const double end = std::clamp(std::floor(crossed.high - 0.5) + 1.0, 0.0, count);
     if (begin < end)
         std::fill(chosen.begin() + static_cast<std::ptrdiff_t>(begin),
-                  chosen.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{1});
+                  chosen.begin() + static_cast<std::ptrdiff_t>(end), kWhole);
 }
 
 bool reaches(const Point& a, const Point& b, double radius, double y) {

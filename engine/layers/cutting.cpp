@@ -2,6 +2,7 @@
 
 #include "core/check.hpp"
 #include "layers/apart.hpp"
+#include "layers/cell_share.hpp"
 
 #include <cmath>
 
@@ -62,11 +63,14 @@ void keep_tile(const FilmState& layer, const grid::Mask& mask, bool chosen, int 
     if (chosen ? none : all) return;
     take_tile(layer, tile, part);
     if (!all && !none) {
-        const std::uint8_t* is_chosen = mask.read(tile);
-        const auto is_left = [&](int cell) { return (is_chosen[cell] != 0) == chosen; };
+        const std::uint8_t* shares = mask.read(tile);
+        const auto is_left = [&](int cell) { return shares[cell] != (chosen ? 0 : grid::kWhole); };
         keep_paint(is_left, tile, part);
         keep_cells(is_left, tile, 0.0F, part.velocity_x);
         keep_cells(is_left, tile, 0.0F, part.velocity_y);
+        for (int cell = 0; cell < kTileCells; ++cell)
+            if (shares[cell] != 0 && shares[cell] != grid::kWhole)
+                keep_share(tile, cell, {shares[cell], !chosen}, part);
     }
     stop_at_border(mask, tile, part);
 }

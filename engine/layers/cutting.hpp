@@ -14,8 +14,9 @@ struct CutLayer {
 };
 
 /// What lies on the cells of the mask, and the rest. Cell by cell one of the two has what the layer had
-/// and the other nothing. Fixed paint is counted by share_fixed(); what has evaporated stays with the
-/// outside. Velocities stay where both cells of their face do, others are 0.
+/// and the other nothing; along soft edges the inside has its share, by keep_share(). Fixed paint is
+/// counted by share_fixed(); what has evaporated stays with the outside. Velocities stay where both
+/// cells of their face do, others are 0.
 CutLayer cut(const film::FilmState& layer, const grid::Mask& mask);
 
 /// Empties the cells of a tile that the mask does not choose. Velocities and totals stay as they are.

@@ -69,12 +69,6 @@ void fix(LayerTile& tile, int cell) {
     film::seal(tile.strata(cell));
 }
 
-void fade(double opacity, film::StrataOptics& strata) {
-    for (int band = 0; band < pigment::kBands; ++band)
-        film::set_optics(
-            band, pigment::faded(film::optics_of(strata, band), static_cast<float>(opacity)), strata);
-}
-
 bool holds_soluble(const LayerTile& tile, int cell) {
     return !film::is_empty(tile.soluble_pigment.read()[cell], tile.soluble_thickness.read()[cell]);
 }
@@ -116,7 +110,8 @@ void pour(const LayerTile& upper, int cell, LayerTile& lower) {
 void merge_cell(LayerTile& upper, double opacity, int cell, LayerTile& lower) {
     if (opacity < 1.0) {
         fix(upper, cell);
-        fade(opacity, upper.optics.write()[cell]);
+        film::StrataOptics& optics = upper.optics.write()[cell];
+        optics = film::faded(optics, static_cast<float>(opacity));
     }
     if (is_dry_in(upper, cell)) {
         fix(lower, cell);

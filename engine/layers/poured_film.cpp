@@ -50,9 +50,10 @@ class Pouring {
         for (int y = cells.y0; y < cells.y1; ++y) {
             for (int x = cells.x0; x < cells.x1; ++x) {
                 const int cell = grid::Shape::cell_in_tile(x, y);
-                if (where_ != nullptr && where_->read(tile)[cell] == 0) continue;
-                const std::int32_t quanta =
+                const std::int32_t whole =
                     poured_.relief == nullptr ? quanta_ : poured_.relief->read(tile)[cell];
+                const std::int32_t quanta =
+                    where_ == nullptr ? whole : grid::share_of(whole, where_->read(tile)[cell]);
                 if (quanta == 0) continue;
                 poured.thickness.write()[cell] = quanta;
                 poured.paint.write()[cell] = at(x, y, quanta);

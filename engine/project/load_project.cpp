@@ -217,10 +217,11 @@ void read_brush(const ZipReader& archive, const std::optional<BrushIndex>& told,
 }
 
 std::shared_ptr<const grid::Mask> read_mask(const ZipReader& archive, const PackedEntry& packed,
-                                            const grid::Shape& shape) {
-    if (packed.size != mask_bytes(shape))
+                                            const grid::Shape& shape, bool may_be_soft) {
+    const bool is_soft = may_be_soft && packed.size == soft_mask_bytes(shape);
+    if (packed.size != mask_bytes(shape) && !is_soft)
         archive.fail(packed.entry, "holds cells of another canvas than this one.");
-    grid::Mask mask = mask_of_bits(shape, read_packed(archive, packed));
+    grid::Mask mask = mask_of_content(shape, read_packed(archive, packed));
     if (grid::chosen_area(mask).empty()) archive.fail(packed.entry, "holds no cell.");
     return std::make_shared<const grid::Mask>(std::move(mask));
 }
@@ -311,8 +312,8 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
         check_surface(archive, core::message("copied paint"), *index.copied, index.copied->shape, value.film.cell_mm);
         value.copied = read_apart(archive, *index.copied, medium, pool);
     }
-    if (index.selection) value.selection = read_mask(archive, *index.selection, value.film.shape);
-    if (index.masking) value.masking.cells = read_mask(archive, *index.masking, value.film.shape);
+    if (index.selection) value.selection = read_mask(archive, *index.selection, value.film.shape, true);
+    if (index.masking) value.masking.cells = read_mask(archive, *index.masking, value.film.shape, false);
     if (index.tracing) read_tracing(archive, *index.tracing, value);
     read_references(archive, index, value);
     read_strokes(archive, index.strokes, setup.canvas, painting.tick, project);

@@ -123,11 +123,11 @@ struct FieldKeeper {
     }
     void operator()(const document::Selection& selection) const {
         if (selection)
-            draft.index.selection = add_packed(kSelectionEntry, mask_bits(*selection), draft.archive);
+            draft.index.selection = add_packed(kSelectionEntry, mask_content(*selection), draft.archive);
     }
     void operator()(const document::Masking& masking) const {
         if (masking.cells)
-            draft.index.masking = add_packed(kMaskingEntry, mask_bits(*masking.cells), draft.archive);
+            draft.index.masking = add_packed(kMaskingEntry, mask_content(*masking.cells), draft.archive);
     }
     void operator()(const document::SharedTracing& tracing) const {
         if (!tracing) return;

@@ -38,11 +38,11 @@ TEST(CanvasResizing, TheSelectionIsCroppedToItsCells) {
     const auto selection = [&] { return std::make_shared<const grid::Mask>(mask); };
     EXPECT_EQ(cropped_to(nullptr, wanted), std::nullopt);
     EXPECT_EQ(cropped_to(selection(), wanted), std::nullopt);
-    mask.set(20, 8, 1);
-    mask.set(103, 51, 1);
+    mask.set(20, 8, grid::kWhole);
+    mask.set(103, 51, grid::kWhole);
     EXPECT_EQ(cropped_to(selection(), wanted), (document::ResizeCanvas{5.0, 2.0, 21.0, 11.0}));
-    mask.set(0, 0, 1);
-    mask.set(239, 159, 1);
+    mask.set(0, 0, grid::kWhole);
+    mask.set(239, 159, grid::kWhole);
     EXPECT_EQ(cropped_to(selection(), wanted), std::nullopt) << "it reaches over the whole canvas";
 }
 

@@ -11,7 +11,7 @@ document::Masking masking_of(grid::Mask cells) {
 
 TEST(MaskingSkin, IsThereWhereTheCanvasIsMasked) {
     grid::Mask cells({7, 3});
-    cells.set(4, 1, 1);
+    cells.set(4, 1, grid::kWhole);
     MaskingSkin skin;
     const QImage picture = skin.picture(masking_of(cells));
     ASSERT_EQ(picture.size(), QSize(7, 3));
@@ -26,7 +26,7 @@ TEST(MaskingSkin, OfALargeCanvasIsCoarser) {
     grid::Mask cells({5000, 10});
     for (int x = 2500; x < 5000; ++x)
         for (int y = 0; y < 10; ++y)
-            cells.set(x, y, 1);
+            cells.set(x, y, grid::kWhole);
     MaskingSkin skin;
     const QImage picture = skin.picture(masking_of(cells));
     EXPECT_EQ(picture.size(), QSize(1667, 4));
@@ -35,7 +35,7 @@ TEST(MaskingSkin, OfALargeCanvasIsCoarser) {
 }
 
 TEST(MaskingSkin, HasLightAndDarkStripes) {
-    grid::Mask cells({64, 64}, 1);
+    grid::Mask cells({64, 64}, grid::kWhole);
     MaskingSkin skin;
     const QImage picture = skin.picture(masking_of(cells));
     EXPECT_NE(picture.pixel(0, 0), picture.pixel(6, 0));

@@ -23,7 +23,7 @@ grid::Mask mask_of(const std::vector<const char*>& rows) {
     grid::Mask mask(shape);
     for (int y = 0; y < shape.height; ++y)
         for (int x = 0; x < shape.width; ++x)
-            if (rows[y][x] == '#') mask.set(x, y, 1);
+            if (rows[y][x] == '#') mask.set(x, y, grid::kWhole);
     return mask;
 }
 
@@ -104,7 +104,7 @@ TEST(SelectionOutline, HasEveryPieceOfBorderOnceAndNoOther) {
         grid::Mask mask(grid::Shape{150, 90});
         for (int y = 0; y < 90; ++y)
             for (int x = 0; x < 150; ++x)
-                mask.set(x, y, core::uniform_noise(150U * y + x, 7) < density ? 1 : 0);
+                mask.set(x, y, core::uniform_noise(150U * y + x, 7) < density ? grid::kWhole : 0);
         std::set<Line> pieces;
         for (const Line& line : borders(mask)) {
             const bool level = line[1] == line[3];
@@ -118,6 +118,14 @@ TEST(SelectionOutline, HasEveryPieceOfBorderOnceAndNoOther) {
     }
 }
 
+TEST(SelectionOutline, OfASoftEdgeRunsAlongOneHalf) {
+    grid::Mask soft(grid::Shape{6, 1});
+    for (int x = 0; x < 6; ++x)
+        soft.set(x, 0, static_cast<std::uint8_t>(255 - 40 * x));
+    EXPECT_EQ(pieces_of(grid::hardened(soft)).size(), 10U) << "four cells";
+    EXPECT_EQ(borders(soft), borders(grid::hardened(soft)));
+}
+
 TEST(SelectionOutline, SaysWhenThereWouldBeTooManyLines) {
     const grid::Mask mask = mask_of({"#.#"});
     EXPECT_EQ(mask_borders_mm(mask, 1.0, {mask.shape().cells()}, 8)->size(), 2 * 8U);
@@ -129,7 +137,7 @@ TEST(SelectionOutline, OfSpecklesIsExactCloseByAndCoarseFromAfar) {
     auto mask = std::make_shared<grid::Mask>(shape);
     for (int y = 0; y < shape.height; y += 2)
         for (int x = 0; x < shape.width; x += 2)
-            mask->set(x, y, 1);
+            mask->set(x, y, grid::kWhole);
     SelectionOutline outline;
     const document::Selection selection = mask;
     EXPECT_THAT(lines_of(outline.lines_mm(selection, 1.0, shape.cells())),

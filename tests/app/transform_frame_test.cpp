@@ -254,8 +254,8 @@ TEST(TransformFrame, SurroundsThePaintThatIsSelected) {
     painting.film.strata.optics.set(70, 41, dark);
     EXPECT_EQ(painted_cells(painting), (grid::Rect{12, 30, 71, 42}));
     grid::Mask mask({100, 60});
-    mask.set(70, 41, 1);
-    mask.set(5, 5, 1);
+    mask.set(70, 41, grid::kWhole);
+    mask.set(5, 5, grid::kWhole);
     painting.selection = std::make_shared<const grid::Mask>(mask);
     EXPECT_EQ(painted_cells(painting), (grid::Rect{70, 41, 71, 42}));
     // Of several layers, that of the active one.

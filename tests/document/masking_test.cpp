@@ -371,7 +371,7 @@ TEST_F(MaskingTest, WhatIsBareStaysBareWhereThatIsLocked) {
     grid::Mask painted(before.shape);
     for (int y = 15; y < 60; ++y)
         for (int x = 30; x < 90; ++x)
-            painted.set(x, y, 1);
+            painted.set(x, y, grid::kWhole);
     painting.apply(load_of("PY35"));
     paint_wave(painting, 0.0, 8.0);
     painting.apply(wash(0.1));

@@ -19,7 +19,7 @@ Mask random_mask(Shape shape, std::uint32_t seed, float share) {
     for (int y = 0; y < shape.height; ++y)
         for (int x = 0; x < shape.width; ++x)
             if (core::uniform_noise(static_cast<std::uint32_t>(y * shape.width + x), seed) < share)
-                mask.set(x, y, 1);
+                mask.set(x, y, kWhole);
     return mask;
 }
 
@@ -42,7 +42,7 @@ Mask mirrored(const Mask& mask) {
 
 TEST(MaskMargins, AreRoundAboutACell) {
     Mask dot({9, 7});
-    dot.set(4, 3, 1);
+    dot.set(4, 3, kWhole);
     EXPECT_EQ(drawn(grown(dot, 2.0)),
               ".........\n"
               "...###...\n"
@@ -53,7 +53,7 @@ TEST(MaskMargins, AreRoundAboutACell) {
               ".........\n");
     EXPECT_EQ(drawn(grown(dot, 0.49)), drawn(dot));
     Mask corner({9, 7});
-    corner.set(8, 0, 1);
+    corner.set(8, 0, kWhole);
     EXPECT_EQ(chosen_cells(grown(corner, 1e6)), 9 * 7);
     EXPECT_EQ(chosen_cells(grown(corner, 9.4)), 9 * 7 - 1) << "8 and 6 make 10";
 }
@@ -66,6 +66,22 @@ TEST(MaskMargins, ARectangleGrowsByWholeCells) {
     EXPECT_EQ(chosen_area(shrunk(box, 1.0)), (Rect{7, 7, 11, 9}));
     EXPECT_EQ(chosen_cells(shrunk(box, 2.0)), 0);
     EXPECT_EQ(chosen_cells(along_outline(box, 1.0)), 8 * 6 - 4 * 2);
+}
+
+TEST(MaskMargins, TakeOfSoftEdgesWhatIsChosenByHalf) {
+    Mask soft({20, 16});
+    for (int y = 4; y < 12; ++y)
+        for (int x = 4; x < 16; ++x)
+            soft.set(x, y, static_cast<std::uint8_t>(16 * x));
+    const Mask hard = hardened(soft);
+    for (const double reach : {1.0, 2.0}) {
+        EXPECT_EQ(drawn(grown(soft, reach)), drawn(grown(hard, reach)));
+        EXPECT_EQ(drawn(shrunk(soft, reach)), drawn(shrunk(hard, reach)));
+        EXPECT_EQ(drawn(along_outline(soft, reach)), drawn(along_outline(hard, reach)));
+        EXPECT_FALSE(is_soft(grown(soft, reach)) || is_soft(shrunk(soft, reach)) ||
+                     is_soft(along_outline(soft, reach)));
+    }
+    EXPECT_EQ(chosen_area(grown(soft, 1.0)).x0, 7) << "128 is one half, at 8";
 }
 
 TEST(MaskMargins, AreThoseOfAllDistances) {
@@ -117,7 +133,7 @@ TEST(MaskMargins, ADiscGrowsToTheAreaOfALargerOneAtAnyResolution) {
 TEST(ConnectedCells, HangTogetherBySides) {
     Mask mask({6, 4});
     for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {1, 2}, {2, 2}, {3, 3}, {5, 0}, {4, 2}})
-        mask.set(x, y, 1);
+        mask.set(x, y, kWhole);
     EXPECT_EQ(drawn(connected(mask, 2, 2)),
               "##....\n"
               ".#....\n"
@@ -135,10 +151,10 @@ TEST(ConnectedCells, AreFoundAroundCornersAndAcrossTiles) {
     Mask spiral({140, 9});
     for (int x = 0; x < 140; ++x)
         for (const int y : {0, 4, 8})
-            spiral.set(x, y, 1);
+            spiral.set(x, y, kWhole);
     for (int y = 0; y < 9; ++y)
-        spiral.set(y < 4 ? 139 : 0, y, 1);
-    spiral.set(70, 2, 1);
+        spiral.set(y < 4 ? 139 : 0, y, kWhole);
+    spiral.set(70, 2, kWhole);
     EXPECT_EQ(chosen_cells(connected(spiral, 3, 0)), chosen_cells(spiral) - 1);
     EXPECT_EQ(chosen_cells(connected(spiral, 70, 2)), 1);
     const Mask speckles = random_mask(kOdd, 5, 0.7F);

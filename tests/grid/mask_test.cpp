@@ -89,6 +89,53 @@ TEST(Masks, CombineCellByCell) {
     EXPECT_EQ(drawn(inverted(inverted(a))), "#.\n");
 }
 
+/// A row of shares.
+Mask shares(const std::vector<int>& row) {
+    Mask mask({static_cast<int>(row.size()), 1});
+    for (int x = 0; x < mask.shape().width; ++x)
+        mask.set(x, 0, static_cast<std::uint8_t>(row[static_cast<std::size_t>(x)]));
+    return mask;
+}
+
+std::vector<int> row_of(const Mask& mask) {
+    std::vector<int> row;
+    for (int x = 0; x < mask.shape().width; ++x)
+        row.push_back(mask.at(x, 0));
+    return row;
+}
+
+TEST(Masks, SharesCombineByTheLargerTheSmallerAndTheirDifference) {
+    const Mask a = shares({0, 100, 100, 255, 255}), b = shares({30, 30, 200, 30, 255});
+    using Row = std::vector<int>;
+    EXPECT_EQ(row_of(combined(a, b, Combination::Replace)), (Row{30, 30, 200, 30, 255}));
+    EXPECT_EQ(row_of(combined(a, b, Combination::Add)), (Row{30, 100, 200, 255, 255}));
+    EXPECT_EQ(row_of(combined(a, b, Combination::Intersect)), (Row{0, 30, 100, 30, 255}));
+    EXPECT_EQ(row_of(combined(a, b, Combination::Subtract)), (Row{0, 70, 0, 225, 0}));
+    EXPECT_EQ(row_of(combined(inverted(Mask({5, 1})), b, Combination::Subtract)), row_of(inverted(b)));
+    EXPECT_EQ(row_of(inverted(a)), (Row{255, 155, 155, 0, 0}));
+}
+
+TEST(Masks, OneHalfIsChosen) {
+    const Mask mask = shares({0, 1, 127, 128, 254, 255});
+    EXPECT_EQ(chosen_cells(mask), 3);
+    EXPECT_EQ(chosen_area(mask), (Rect{1, 0, 6, 1})) << "by any share";
+    EXPECT_EQ(row_of(hardened(mask)), (std::vector<int>{0, 0, 0, 255, 255, 255}));
+    EXPECT_EQ(chosen_cells(inverted(mask)), 3);
+    EXPECT_TRUE(is_soft(mask));
+    EXPECT_FALSE(is_soft(hardened(mask)));
+    EXPECT_FALSE(is_soft(Mask({6, 1})));
+}
+
+TEST(Masks, AShareOfAnAmountIsRoundedTowardsNothing) {
+    EXPECT_EQ(share_of(1000, 0), 0);
+    EXPECT_EQ(share_of(1000, kWhole), 1000);
+    EXPECT_EQ(share_of(1000, 51), 200);
+    EXPECT_EQ(share_of(1001, 51), 200);
+    EXPECT_EQ(share_of(-1001, 51), -200);
+    EXPECT_EQ(share_of(2'000'000'000, 254), 1'992'156'862);
+    EXPECT_EQ(fraction_of(kWhole), 1.0F);
+}
+
 TEST(Masks, LargeOnesCostOneTile) {
     const Mask most = polygon_mask({640, 640}, {{0, 0}, {640, 0}, {640, 640}, {320, 640}, {0, 320}});
     EXPECT_TRUE(chooses_all(most, 0));

@@ -41,7 +41,8 @@ TEST(UndoReach, SelectionsAreStepsWhereThereIsSomethingToSelect) {
     EXPECT_FALSE(crosses({SelectArea{}, SelectByHeight{}, SelectByWetness{}, Undo{}, Undo{}, Undo{}}));
     EXPECT_FALSE(crosses({SelectPaint{}, SelectSimilarColour{}, Undo{}, Undo{}}));
     EXPECT_TRUE(crosses({InvertSelection{}, SelectAll{}, Undo{}}));
-    EXPECT_TRUE(crosses({GrowSelection{}, ShrinkSelection{}, BorderSelection{}, Undo{}}));
+    EXPECT_TRUE(
+        crosses({GrowSelection{}, ShrinkSelection{}, BorderSelection{}, FeatherSelection{}, Undo{}}));
 }
 
 TEST(UndoReach, ChangesOfLayersAreStepsAndWhichOneIsActiveIsNone) {

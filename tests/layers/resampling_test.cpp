@@ -128,7 +128,7 @@ TEST_F(Resampled, AMaskIsOfTheCellsThatItsMiddlesComeFrom) {
     grid::Mask mask(kShape);
     for (int y = 10; y < 20; ++y)
         for (int x = 30; x < 150; ++x)
-            mask.set(x, y, 1);
+            mask.set(x, y, grid::kWhole);
     EXPECT_EQ(grid::chosen_area(resampled(mask, finer(2.0))), (grid::Rect{60, 20, 300, 40}));
     EXPECT_EQ(grid::chosen_area(resampled(mask, finer(0.5))), (grid::Rect{15, 5, 75, 10}));
 }

@@ -150,7 +150,7 @@ TEST(Texture, OnlyWhatIsChosenGetsAThickness) {
     core::ThreadPool pool(2);
     const grid::Shape shape{150, 70};
     grid::Mask mask(shape);
-    mask.write(shape.tile_at(70, 3))[grid::Shape::cell_in_tile(70, 3)] = 1;
+    mask.write(shape.tile_at(70, 3))[grid::Shape::cell_in_tile(70, 3)] = grid::kWhole;
     const auto all = texture_relief(SandTexture{}, shape, 0.25, nullptr, pool);
     const auto one = texture_relief(SandTexture{}, shape, 0.25, &mask, pool);
     for (int y = 0; y < 70; ++y)

@@ -180,7 +180,7 @@ TEST_F(BadProject, ABoardOfReferencesThatIsNoneIsRefused) {
 }
 
 TEST_F(BadProject, AnIndexWithoutReferencesIsReadAsItWas) {
-    EXPECT_EQ(error_of_index("\"version\":13", "\"version\":12"), "");
+    EXPECT_EQ(error_of_index("\"version\":13", "\"version\":11"), "");
 }
 
 TEST_F(BadProject, SizesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {

@@ -133,6 +133,7 @@ Recording everything() {
         {46, GrowSelection{2.5}},
         {46, ShrinkSelection{0.75}},
         {46, BorderSelection{1.5}},
+        {46, FeatherSelection{4.25}},
         {47, FillWithPaint{{{{"PB29", 1.0}}, 0.5}, 0.35, {{{"PW6", 1.0}}}, {{5, 10}, {40.5, 30}}}},
         {47, FillWithPaint{{{{"PB29", 1.0}}}}},
         {47, ToneGround{{{{"PBr7-RU", 2.0}, {"PW6", 1.0}}}, 0.05, "Ground"}},
@@ -494,6 +495,8 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         recording.events = {{0, SetGuide{{.strength = 0.5}}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 14,")) << arithmetic;
         recording.events = {{0, AdjustDryPaint{}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
+        recording.events = {{0, FeatherSelection{}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
     }
 }

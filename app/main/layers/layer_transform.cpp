@@ -34,7 +34,7 @@ QString problem_of(const document::LayerStack& layers) {
     }
 }
 
-/// The part of the layer's picture that is in the frame, what is not selected left out.
+/// The part of the layer's picture that is in the frame, as far as it is selected.
 QImage picture_in(const tools::TransformFrame& frame, const document::Snapshot& painting) {
     const film::FilmState& film = painting.active != nullptr ? *painting.active : painting.film;
     const int longer = std::max(film.shape.width, film.shape.height);
@@ -47,9 +47,12 @@ QImage picture_in(const tools::TransformFrame& frame, const document::Snapshot& 
     const double cells_y = static_cast<double>(film.shape.height) / found.height;
     for (int y = 0; painting.selection != nullptr && y < found.height; ++y)
         for (int x = 0; x < found.width; ++x) {
-            const bool chosen = painting.selection->at(static_cast<int>((x + 0.5) * cells_x),
-                                                       static_cast<int>((y + 0.5) * cells_y)) != 0;
-            if (!chosen) picture.setPixelColor(x, y, Qt::transparent);
+            const std::uint8_t share = painting.selection->at(static_cast<int>((x + 0.5) * cells_x),
+                                                              static_cast<int>((y + 0.5) * cells_y));
+            if (share == grid::kWhole) continue;
+            QColor colour = picture.pixelColor(x, y);
+            colour.setAlpha(colour.alpha() * share / grid::kWhole);
+            picture.setPixelColor(x, y, colour);
         }
     const auto pixel = [&](double place_mm, double cells) {
         return static_cast<int>(std::lround(place_mm / film.cell_mm / cells));

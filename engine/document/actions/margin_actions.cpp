@@ -29,6 +29,10 @@ bool changes_anything(const BorderSelection&, const LivingPainting& painting) {
     return is_limited(painting);
 }
 
+bool changes_anything(const FeatherSelection&, const LivingPainting& painting) {
+    return is_limited(painting);
+}
+
 void apply(const GrowSelection& grow, LivingPainting& painting) {
     change_selection(grow, painting);
 }
@@ -39,6 +43,10 @@ void apply(const ShrinkSelection& shrink, LivingPainting& painting) {
 
 void apply(const BorderSelection& border, LivingPainting& painting) {
     change_selection(border, painting);
+}
+
+void apply(const FeatherSelection& feather, LivingPainting& painting) {
+    change_selection(feather, painting);
 }
 
 }  // namespace pastoso::document

@@ -44,7 +44,8 @@ bool changes_anything(const PeelMasking&, const LivingPainting& painting) {
 void apply(const MaskStripe& stripe, LivingPainting& painting) {
     const PaintingValue& value = painting.value;
     grid::Mask area = area_of(stripe, value.film);
-    if (value.selection) area = grid::combined(area, *value.selection, Combination::Intersect);
+    if (value.selection)
+        area = grid::combined(area, grid::hardened(*value.selection), Combination::Intersect);
     if (stripe.peels)
         peel_to(peeled(value.masking, area), painting);
     else
@@ -52,7 +53,7 @@ void apply(const MaskStripe& stripe, LivingPainting& painting) {
 }
 
 void apply(const MaskSelection&, LivingPainting& painting) {
-    painting.mask(laid_on(painting.value.masking, *painting.value.selection));
+    painting.mask(laid_on(painting.value.masking, grid::hardened(*painting.value.selection)));
 }
 
 void apply(const SelectMasked& select, LivingPainting& painting) {

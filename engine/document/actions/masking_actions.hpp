@@ -9,7 +9,7 @@ namespace pastoso::document {
 inline constexpr double kLeastStripe_mm = 0.01;
 inline constexpr double kMostStripe_mm = 1000.0;
 
-// They keep to what is selected, as tools do.
+// They keep to what is selected, as tools do; of soft edges, to what is selected by half or more.
 
 /// Masking fluid along the way of a round nib, or a strip of tape, which has straight ends; or what is
 /// peeled along that way.

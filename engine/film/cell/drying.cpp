@@ -167,7 +167,7 @@ void dry(FilmState& state, const DryingAir& air, double seconds, core::ThreadPoo
 
 void dry_now(FilmState& state, core::ThreadPool& pool, const grid::Mask* only) {
     const auto time_at = [&](int x, int y) {
-        return only == nullptr || only->at(x, y) != 0 ? kForEver : kNoTime;
+        return only == nullptr || grid::is_chosen(only->at(x, y)) ? kForEver : kNoTime;
     };
     dry_tiles(state, time_at, pool);
 }

@@ -50,6 +50,13 @@ DriedTotals& DriedTotals::operator-=(const DriedTotals& other) {
     return *this;
 }
 
+StrataOptics faded(const StrataOptics& strata, float share) {
+    StrataOptics rest{};
+    for (int band = 0; band < pigment::kBands; ++band)
+        set_optics(band, pigment::faded(optics_of(strata, band), share), rest);
+    return rest;
+}
+
 bool is_empty(const PigmentCell& pigment, std::int32_t thickness) {
     return thickness == 0 && std::all_of(pigment.begin(), pigment.end(), [](auto k) { return k == 0; });
 }

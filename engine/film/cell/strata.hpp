@@ -48,6 +48,9 @@ void set_optics(int band, const pigment::LayerOptics<float>& optics, StrataOptic
 /// A layer of pigment, quanta of K h and S h, over others.
 StrataOptics laid_over(const std::int32_t* pigment, const StrataOptics& lower);
 
+/// What does that share, 0 to 1, of what the strata do to light (pigment/layer_optics.hpp).
+StrataOptics faded(const StrataOptics& strata, float share);
+
 /// Strata over others.
 StrataOptics laid_over(const StrataOptics& upper, const StrataOptics& lower);
 

@@ -42,8 +42,8 @@ grid::TiledField<std::int32_t> texture_relief(const Texture& texture, grid::Shap
         for (int y = cells.y0; y < cells.y1; ++y)
             for (int x = cells.x0; x < cells.x1; ++x, ++height_mm) {
                 const int cell = grid::Shape::cell_in_tile(x, y);
-                if (where == nullptr || where->read(tile)[cell] != 0)
-                    thickness[cell] = quanta_of(*height_mm);
+                const std::uint8_t share = where == nullptr ? grid::kWhole : where->read(tile)[cell];
+                thickness[cell] = quanta_of(*height_mm * grid::fraction_of(share));
             }
     });
     grid::TiledField<std::int32_t> relief(shape);
