@@ -110,6 +110,7 @@ enum class Command {
     GrowSelection,
     ShrinkSelection,
     BorderSelection,
+    FeatherSelection,
     SelectHeight,
     SelectWetness,
     SelectPaint,

@@ -119,6 +119,7 @@ constexpr Name kNames[] = {
     {Command::GrowSelection, "grow_selection"},
     {Command::ShrinkSelection, "shrink_selection"},
     {Command::BorderSelection, "border_selection"},
+    {Command::FeatherSelection, "feather_selection"},
     {Command::SelectHeight, "select_height"},
     {Command::SelectWetness, "select_wetness"},
     {Command::SelectPaint, "select_paint"},

@@ -59,7 +59,7 @@ class PhysicsWindow : public WindowTest {
 
 TEST_F(PhysicsWindow, AKeyShowsIt) {
     find<QDockWidget>("physics_panel").hide();
-    QTest::keyClick(&window(), Qt::Key_F6, Qt::ShiftModifier);
+    QTest::keyClick(&window(), Qt::Key_F6, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_TRUE(find<QDockWidget>("physics_panel").isVisible());
 }
 

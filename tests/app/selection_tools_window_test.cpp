@@ -197,6 +197,30 @@ TEST_F(SelectionTools, MarginsAreAskedForAndSeenBeforehand) {
     EXPECT_EQ(difference(before, picture()).largest, 0);
 }
 
+TEST_F(SelectionTools, AFeatheredSelectionFadesOut) {
+    EXPECT_FALSE(action(Command::FeatherSelection)->isEnabled()) << "nothing is selected";
+    give(Command::SelectRectangle);
+    drag({{20.0, 10.0}, {40.0, 30.0}});
+    key(Qt::Key_Escape);
+    give(Command::FeatherSelection);
+    ASSERT_NE(dialog(), nullptr);
+    length().setValue(4.0);
+    dialog()->accept();
+    settle();
+    const double cell_mm = session().snapshot()->film.cell_mm;
+    const auto share = [&](double x_mm) {
+        return selection()->at(static_cast<int>(x_mm / cell_mm), static_cast<int>(20.0 / cell_mm));
+    };
+    EXPECT_EQ(share(30.0), grid::kWhole);
+    EXPECT_EQ(share(15.0), 0);
+    EXPECT_GT(share(21.0), share(19.0));
+    EXPECT_GT(share(19.0), 0);
+    // Its corners become round.
+    EXPECT_NEAR(selected_mm2(), 400.0, 16.0);
+    give(Command::Undo);
+    EXPECT_FALSE(grid::is_soft(*selection()));
+}
+
 TEST_F(SelectionTools, ASelectionIsNotShrunkToNothing) {
     give(Command::SelectRectangle);
     drag({{20.0, 10.0}, {40.0, 30.0}});

@@ -201,7 +201,8 @@ void SelectionCommands::show_reading() {
     const bool any = shown_ != nullptr;
     for (const Command command :
          {Command::SelectEverything, Command::InvertSelection, Command::CropToSelection,
-          Command::GrowSelection, Command::ShrinkSelection, Command::BorderSelection})
+          Command::GrowSelection, Command::ShrinkSelection, Command::BorderSelection,
+          Command::FeatherSelection})
         studio_.commands().action(command)->setEnabled(any);
     const WayToSelect* way = way_of(way_);
     const QString drawing = way ? tr(way->name) : QString();

@@ -10,14 +10,19 @@ namespace {
 
 using commands::Command;
 
-dialogs::AskedLength asked_width(const QString& title, const QString& explanation,
-                                 const QString& button) {
+dialogs::AskedLength asked_margin(const QString& title, const QString& explanation, const QString& name,
+                                  const QString& button) {
     return {.title = title,
             .explanation = explanation,
-            .name = SelectionMargins::tr("Width"),
+            .name = name,
             .button = button,
             .least_mm = document::kLeastMargin_mm,
             .most_mm = document::kMostMargin_mm};
+}
+
+dialogs::AskedLength asked_width(const QString& title, const QString& explanation,
+                                 const QString& button) {
+    return asked_margin(title, explanation, SelectionMargins::tr("Width"), button);
 }
 
 }  // namespace
@@ -38,6 +43,12 @@ SelectionMargins::SelectionMargins(Studio& studio) : studio_(studio) {
         ask<document::BorderSelection>(asked_width(
             tr("Border of the selection"),
             tr("Selects a band so wide along the outline, half of it on either side."), tr("Select")));
+    });
+    studio_.commands().on(Command::FeatherSelection, [this](bool) {
+        ask<document::FeatherSelection>(asked_margin(
+            tr("Feather the selection"),
+            tr("The edge becomes soft: paint fades out so far on either side of the outline."),
+            tr("Radius"), tr("Feather")));
     });
 }
 

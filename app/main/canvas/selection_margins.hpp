@@ -1,4 +1,5 @@
-// Makes the selection wider or narrower, or a band along its outline, by a width that is asked for.
+// Makes the selection wider or narrower, a band along its outline, or its edge soft, by a width that is
+// asked for.
 #pragma once
 
 #include "main/studio.hpp"
@@ -26,7 +27,7 @@ class SelectionMargins : public QObject {
     void preview();
 
     Studio& studio_;
-    double width_mm_ = 2.0;  ///< that was chosen last
+    double width_mm_ = 2.0;  ///< that was chosen last, of whichever
     QPointer<dialogs::MarginDialog> dialog_;
 };
 
