@@ -34,8 +34,8 @@ struct Moved {
     }
 };
 
-/// Changes a cell that holds dry paint.
-using CellChange = std::function<void(const StrataCell& cell, Moved& moved)>;
+/// Changes a cell that holds dry paint, by the share that is chosen of it.
+using CellChange = std::function<void(const StrataCell& cell, std::uint8_t chosen, Moved& moved)>;
 
 /// A paint by what is left of it when it is dry. Thicknesses are dry ones, in quanta.
 class DryPaint {
@@ -62,21 +62,35 @@ class DryPaint {
     double solids_;
 };
 
+/// What is laid on a cell, and what of it is left when it is dry.
+struct Coat {
+    DriedTotals dry;
+    std::int32_t wet = 0;
+    film::PaintCell laid{};
+};
+
+/// `carried`: its solids.
+Coat coat_of(std::int32_t carried, const DryPaint& paint) {
+    Coat coat{.dry = paint.totals(carried * film::kQuantaPerCarried)};
+    coat.wet = static_cast<std::int32_t>(coat.dry.thickness + paint.evaporated(coat.dry.thickness));
+    for (int k = 0; k < film::kPigmentChannels; ++k)
+        coat.laid[k] = static_cast<std::int32_t>(coat.dry.pigment[k]);
+    coat.laid[film::kSolidsChannel] = carried;
+    return coat;
+}
+
 CellChange change_of(const Glaze& glaze, const DryPaint& paint) {
     // Solids are carried in coarser quanta than thickness.
     const auto carried =
         static_cast<std::int32_t>(std::lround(glaze.thickness_mm / film::kPaintQuantum));
-    const DriedTotals dry = paint.totals(carried * film::kQuantaPerCarried);
-    const auto wet = static_cast<std::int32_t>(dry.thickness + paint.evaporated(dry.thickness));
-    film::PaintCell coat{};
-    for (int k = 0; k < film::kPigmentChannels; ++k)
-        coat[k] = static_cast<std::int32_t>(dry.pigment[k]);
-    coat[film::kSolidsChannel] = carried;
-    return [dry, wet, coat](const StrataCell& cell, Moved& moved) {
-        std::int32_t thickness = wet;
-        film::PaintCell laid = coat;
-        moved.evaporated += film::become_stratum(thickness, laid, cell);
-        moved.added += dry;
+    std::vector<Coat> coats;
+    for (int share = 0; share <= grid::kWhole; ++share)
+        coats.push_back(coat_of(grid::share_of(carried, static_cast<std::uint8_t>(share)), paint));
+    return [coats = std::move(coats)](const StrataCell& cell, std::uint8_t chosen, Moved& moved) {
+        Coat coat = coats[chosen];
+        if (coat.dry.thickness == 0) return;
+        moved.evaporated += film::become_stratum(coat.wet, coat.laid, cell);
+        moved.added += coat.dry;
     };
 }
 
@@ -136,7 +150,8 @@ void exchange_fixed(double share, const DryPaint& paint, const StrataCell& cell,
 }
 
 CellChange change_of(const PaintExchange& exchange, const DryPaint& paint) {
-    return [share = exchange.share, paint](const StrataCell& cell, Moved& moved) {
+    return [whole = exchange.share, paint](const StrataCell& cell, std::uint8_t chosen, Moved& moved) {
+        const double share = whole * chosen / grid::kWhole;
         exchange_fixed(share, paint, cell, moved);
         exchange_soluble(share, paint, cell, moved);
     };
@@ -200,7 +215,9 @@ AdjustedLayer adjusted(const FilmState& layer, const film::PaintCoefficients& pa
     std::vector<StrataTile> tiles = opened_tiles(result.film, where);
     pool.run(tiles.size(), [&](std::size_t index, int) {
         StrataTile& tile = tiles[index];
-        for_each_dry_cell(layer, where, tile.tile, [&](int cell) { change(tile.at(cell), tile.moved); });
+        for_each_dry_cell(layer, where, tile.tile, [&](int cell, std::uint8_t chosen) {
+            change(tile.at(cell), chosen, tile.moved);
+        });
     });
     Moved moved;
     for (const StrataTile& tile : tiles) {

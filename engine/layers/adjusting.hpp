@@ -52,7 +52,8 @@ struct AdjustedLayer {
 };
 
 /// The layer, apart from what it lies on, with that paint, of which can_lie_dry(), on its dry paint in
-/// the cells of the mask; null: everywhere. Its wet paint is shared with it.
+/// the cells of the mask, thinner or less of it by the share that is chosen of a cell; null: everywhere.
+/// Its wet paint is shared with it.
 AdjustedLayer adjusted(const film::FilmState& layer, const film::PaintCoefficients& paint,
                        const Adjustment& adjustment, const grid::Mask* where, core::ThreadPool& pool);
 

@@ -23,7 +23,7 @@ ChosenCells painted_in(const FilmState& layer, int tile) {
     const std::int32_t* wet = layer.thickness.read(tile);
     for (int cell = 0; cell < kTileCells; ++cell) {
         const double paint_mm = relief_mm[cell] + film::thickness_mm(wet[cell]);
-        painted[static_cast<std::size_t>(cell)] = paint_mm >= kLeastPaint_mm ? 1 : 0;
+        if (paint_mm >= kLeastPaint_mm) painted[static_cast<std::size_t>(cell)] = grid::kWhole;
     }
     return painted;
 }

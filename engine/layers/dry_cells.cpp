@@ -19,14 +19,14 @@ void copy_dry(const film::FilmState& from, int tile, int cell, film::FilmState& 
 bool any_dry_cell(const film::FilmState& layer) {
     bool any = false;
     for (int tile = 0; tile < layer.shape.tile_count() && !any; ++tile)
-        for_each_dry_cell(layer, nullptr, tile, [&](int) { any = true; });
+        for_each_dry_cell(layer, nullptr, tile, [&](int, std::uint8_t) { any = true; });
     return any;
 }
 
 std::int64_t dry_cell_count(const film::FilmState& layer, const grid::Mask* where) {
     std::int64_t count = 0;
     for (int tile = 0; tile < layer.shape.tile_count(); ++tile)
-        for_each_dry_cell(layer, where, tile, [&](int) { ++count; });
+        for_each_dry_cell(layer, where, tile, [&](int, std::uint8_t) { ++count; });
     return count;
 }
 
@@ -36,7 +36,7 @@ DrySample dry_sample(const film::FilmState& layer, const grid::Mask* where) {
     const std::int64_t apart = (dry_cell_count(layer, where) + grid::kTileCells - 1) / grid::kTileCells;
     std::int64_t passed = 0;
     for (int tile = 0; tile < layer.shape.tile_count(); ++tile)
-        for_each_dry_cell(layer, where, tile, [&](int cell) {
+        for_each_dry_cell(layer, where, tile, [&](int cell, std::uint8_t) {
             if (passed++ % apart == 0) copy_dry(layer, tile, cell, sample.film, sample.count++);
         });
     return sample;

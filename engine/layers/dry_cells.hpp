@@ -9,16 +9,18 @@
 
 namespace pastoso::layers {
 
-/// Calls visit(cell) for those of a tile that are in the mask, row by row; null: all are. The layer is
-/// apart from what it lies on.
+/// Calls visit(cell, share) for those of a tile that are chosen, row by row, and by how much
+/// (grid::Mask); null: all are, as a whole. The layer is apart from what it lies on.
 template <class Visit>
 void for_each_dry_cell(const film::FilmState& layer, const grid::Mask* where, int tile, Visit&& visit) {
     if (!holds_dry_paint(layer, tile)) return;
     const grid::Rect cells = layer.shape.tile_cells(tile);
     for (int y = cells.y0; y < cells.y1; ++y)
-        for (int x = cells.x0; x < cells.x1; ++x)
-            if ((where == nullptr || where->at(x, y) != 0) && holds_dry_paint(layer, x, y))
-                visit(grid::Shape::cell_in_tile(x, y));
+        for (int x = cells.x0; x < cells.x1; ++x) {
+            const std::uint8_t share = where != nullptr ? where->at(x, y) : grid::kWhole;
+            if (share != 0 && holds_dry_paint(layer, x, y))
+                visit(grid::Shape::cell_in_tile(x, y), share);
+        }
 }
 
 /// Whether there is one on the layer.

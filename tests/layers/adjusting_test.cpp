@@ -155,6 +155,16 @@ TEST_F(Adjusting, AGlazeLiesOverWhatIsDry) {
     EXPECT_EQ(after(Glaze{0x1p-6}).support_mm.at(3, 4) - once.support_mm.at(3, 4), 0x1p-6F);
 }
 
+TEST_F(Adjusting, ASoftlyChosenCellGetsItsShare) {
+    lay_dry(0.1, kBlue);
+    grid::Mask fifth(layer.shape);
+    fifth.set(3, 4, grid::kWhole / 5);
+    const auto relief_mm = [](const FilmState& film) { return film.support_mm.at(3, 4); };
+    EXPECT_NEAR(relief_mm(after(Glaze{0.05}, kRed, &fifth)) - relief_mm(layer), 0.01, 1e-4);
+    EXPECT_EQ(film::state_hash(after(PaintExchange{0.5}, kRed, &fifth)),
+              film::state_hash(after(PaintExchange{0.5 * (grid::kWhole / 5) / grid::kWhole})));
+}
+
 TEST_F(Adjusting, AGlazeTooThinToBindCanBeDissolved) {
     lay_dry(0.1, kBlue);
     const FilmState once = after(Glaze{0x1p-9});
@@ -166,9 +176,9 @@ TEST_F(Adjusting, AGlazeTooThinToBindCanBeDissolved) {
 TEST_F(Adjusting, OnlyWhatTheMaskChoosesIsAdjusted) {
     lay_dry(0.1, kBlue);
     grid::Mask beside(test::kShape);
-    beside.set(4, 4, 1);
+    beside.set(4, 4, grid::kWhole);
     EXPECT_EQ(film::state_hash(after(Glaze{0.02}, kRed, &beside)), film::state_hash(layer));
-    beside.set(3, 4, 1);
+    beside.set(3, 4, grid::kWhole);
     EXPECT_NE(optics(after(Glaze{0.02}, kRed, &beside)), optics(layer));
 }
 
@@ -196,7 +206,7 @@ TEST_F(Adjusting, ASampleHasAllCellsOfAFewAndAnEvenPartOfMany) {
     EXPECT_EQ(dry_cell_count(layer, nullptr), 10500);
     EXPECT_EQ(dry_sample(layer, nullptr).count, 3500) << "every third one";
     grid::Mask some(test::kShape);
-    some.set(100, 50, 1);
+    some.set(100, 50, grid::kWhole);
     EXPECT_EQ(dry_sample(layer, &some).count, 1);
 }
 

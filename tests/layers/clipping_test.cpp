@@ -70,9 +70,9 @@ TEST_F(Clipping, PaintIsWhatIsThickEnoughWetAndDryTogether) {
     layer.thickness.set(140, 69, 2000);  // 0.06 um
     const grid::Mask painted = painted_cells(layer);
     EXPECT_EQ(grid::chosen_cells(painted), 3);
-    EXPECT_EQ(painted.at(2, 1), 1);
-    EXPECT_EQ(painted.at(4, 1), 1);
-    EXPECT_EQ(painted.at(140, 69), 1);
+    EXPECT_EQ(painted.at(2, 1), grid::kWhole);
+    EXPECT_EQ(painted.at(4, 1), grid::kWhole);
+    EXPECT_EQ(painted.at(140, 69), grid::kWhole);
 }
 
 TEST_F(Clipping, EveryCellShowsOrIsHidden) {
