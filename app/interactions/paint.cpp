@@ -11,6 +11,11 @@ constexpr int kWait_ms = 25;
 /// With which a pen in the air is shown, before it presses.
 constexpr double kExpectedPressure = 0.5;
 
+bool is_beside(const tools::Pointer& pointer, const glm::dvec2& size_mm) {
+    const bool across = pointer.x_mm >= 0.0 && pointer.x_mm < size_mm.x;
+    return !across || pointer.y_mm < 0.0 || pointer.y_mm >= size_mm.y;
+}
+
 }  // namespace
 
 Paint::Paint(view::CanvasView& canvas, tools::Easel& easel, document::Surface surface)
@@ -37,7 +42,8 @@ Took Paint::press(const input::PointerEvent& event) {
     const bool may = event.device != input::Device::Finger || canvas_.pen().fingers_paint;
     if (event.button != Qt::LeftButton || !may) return Took::Nothing;
     waiting_.start();
-    const tools::Pointer& pointer = event.pointer;
+    tools::Pointer pointer = event.pointer;
+    pointer.beside = is_beside(pointer, canvas_.canvas_size_mm());
     pressure_ = pointer.pressure;
     if (surface_ == document::Surface::Well && event.modifiers.testFlag(Qt::ControlModifier)) {
         easel_.squeeze(pointer.x_mm, pointer.y_mm);

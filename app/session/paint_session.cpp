@@ -228,7 +228,7 @@ void PaintSession::hand_out_capture() {
     const std::lock_guard lock(mutex_);
     recorder_.note_tick(painting_->tick());
     std::exchange(wanted_capture_, nullptr)
-        ->set_value({std::move(state), recorder_, changes_, journal_events()});
+        ->set_value({std::move(state), recorder_, changes(), journal_events()});
 }
 
 std::uint64_t PaintSession::journal_events() const {
@@ -424,12 +424,16 @@ void PaintSession::apply(const document::Action& action) {
 void PaintSession::do_action(const document::Action& action) {
     painting_->apply(action);
     strokes_ += std::holds_alternative<document::PenDown>(action) ? 1 : 0;
-    changes_ += document::traits_of(action).changes_painting ? 1 : 0;
+    changes_ += document::counts_as_change(action) ? 1 : 0;
     if (journal_) journal_->note({painting_->tick(), action});
     if (begin_journal_) unkept_.push_back({painting_->tick(), action});
     const std::lock_guard lock(mutex_);
     recorder_.add(painting_->tick(), action);
     document::note_paints(action, paints_used_);
+}
+
+std::int64_t PaintSession::changes() const {
+    return changes_ + painting_->late_strokes();
 }
 
 void PaintSession::try_to_begin_journal() {
@@ -498,7 +502,7 @@ void PaintSession::publish() {
         status_ = {.tick = painting_->tick(),
                    .steps = report.steps,
                    .strokes = strokes_,
-                   .changes = changes_,
+                   .changes = changes(),
                    .awake_tiles = report.awake_tiles,
                    .speed = clock_.speed(),
                    .paint_per_wall = clock_.paint_per_wall(),

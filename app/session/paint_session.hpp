@@ -156,6 +156,7 @@ class PaintSession {
     void run();
     void work();
     void do_action(const document::Action& action);
+    std::int64_t changes() const;  ///< Status::changes at this moment
     void stop_at_fault(const core::Message& sentence);
     bool wait_for_work();
     void apply_posted();
@@ -189,7 +190,7 @@ class PaintSession {
     WallClock::time_point journal_tried_;
     TickClock clock_;
     std::int64_t strokes_ = 0;
-    std::int64_t changes_ = 0;
+    std::int64_t changes_ = 0;  ///< but for strokes that began beside the canvas
     bool at_rest_ = false;  ///< nothing happens but that time passes
     bool changed_ = false;
     bool steps_changed_ = false;

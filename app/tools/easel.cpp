@@ -376,7 +376,7 @@ void Easel::press(const Pointer& pointer, bool straight) {
     previous_ = sample(pointer);
     if (turns_with_path(pointer)) start_ = pointer;
     start_rotation_deg_ = rotation_deg_;
-    post_(PenDown{previous_, pointer.surface});
+    post_(PenDown{previous_, pointer.surface, pointer.beside});
 }
 
 void Easel::move(const Pointer& pointer) {

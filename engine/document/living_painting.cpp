@@ -91,6 +91,7 @@ void LivingPainting::end_stroke() {
     finish_contacts();
     stroke.reset();
     begun.reset();
+    awaited_step.reset();
 }
 
 void LivingPainting::mask(Masking masking) {
@@ -113,10 +114,24 @@ Selection LivingPainting::within_reach() {
 }
 
 void LivingPainting::finish_contacts() {
-    for (const grid::Rect& cells : stroke->take_changed_cells())
+    bool touches = false;
+    for (const grid::Rect& cells : stroke->take_changed_cells()) {
         touched->wake(cells);
-    touched->set_air(stroke->air_jets());
+        touches = touches || !cells.empty();
+    }
+    const std::vector<film::AirJet> jets = stroke->air_jets();
+    for (const film::AirJet& jet : jets)
+        touches = touches || !film::cells_reached(jet, value.film.shape, value.film.cell_mm).empty();
+    touched->set_air(jets);
     value.flows.wiped += stroke->take_thrown_away();
+    if (touches) remember_awaited_step();
+}
+
+void LivingPainting::remember_awaited_step() {
+    if (!awaited_step) return;
+    history.remember(std::move(awaited_step->before), std::move(awaited_step->step));
+    awaited_step.reset();
+    ++late_strokes;
 }
 
 void LivingPainting::touch_brush() {

@@ -26,6 +26,12 @@ struct StrokeBegun {
     std::vector<brush::PenSample> samples;
 };
 
+/// The step that a stroke becomes once it touches.
+struct AwaitedStep {
+    Moment before;
+    UndoStep step;
+};
+
 struct LivingPainting {
     LivingPainting(const CanvasSettings& settings, film::SupportHeights support_mm,
                    core::ThreadPool& threads);
@@ -90,6 +96,8 @@ struct LivingPainting {
     std::optional<brush::StrokeGroup> stroke;
     film::Solver* touched = nullptr;   ///< of the surface that the stroke is on
     std::optional<StrokeBegun> begun;  ///< as long as there is a stroke
+    std::optional<AwaitedStep> awaited_step;  ///< of a stroke that has touched nothing yet
+    std::int64_t late_strokes = 0;            ///< that touched after they had begun beside
     std::uint64_t brush_touches = 0;
     std::optional<ResizedCanvas> ready_canvas;       ///< Painting::have_ready()
     std::shared_ptr<const LayerStack> layers_shown;  ///< in the latest snapshot
@@ -101,6 +109,7 @@ struct LivingPainting {
 
   private:
     film::Solver& make_well_solver();
+    void remember_awaited_step();
     /// What lies on one surface, the brush may carry to the other.
     void share_consistencies();
     void age();

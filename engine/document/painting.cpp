@@ -124,6 +124,9 @@ std::vector<KeptStep> Painting::redo_steps() const {
 bool Painting::stroke_in_progress() const {
     return living_->stroke.has_value();
 }
+std::int64_t Painting::late_strokes() const {
+    return living_->late_strokes;
+}
 
 Account Painting::account() const {
     const double cell_mm = living_->value.film.cell_mm;

@@ -131,6 +131,8 @@ class Painting {
     std::vector<KeptStep> undo_steps() const;
     std::vector<KeptStep> redo_steps() const;
     bool stroke_in_progress() const;
+    /// How many strokes began beside canvas and well, and touched later.
+    std::int64_t late_strokes() const;
 
     Account account() const;
     StageTimes stage_times() const;

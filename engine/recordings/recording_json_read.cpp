@@ -96,13 +96,16 @@ class EventReader {
     }
 
     void read_stroke(const files::JsonPlace& stroke, std::int64_t first_tick) {
-        stroke.allow_only({"surface", "samples", "ticks", "continued", "lifted", "lift_tick"});
+        stroke.allow_only({"surface", "beside", "samples", "ticks", "continued", "lifted", "lift_tick"});
         const files::JsonPlace samples = stroke.entry("samples");
         const bool continued = stroke.boolean_or("continued", false);
         const auto named = stroke.optional_entry("surface");
         if (named && continued) named->fail("a stroke that goes on stays on its surface.");
         document::Surface surface = document::Surface::Canvas;
         if (named) values_.read(*named, stroke, surface);
+        const bool beside = stroke.boolean_or("beside", false);
+        if (beside && continued)
+            stroke.entry("beside").fail("a stroke that goes on says nothing of where it began.");
         if (samples.size() == 0 && !continued) samples.fail("a stroke needs at least one sample.");
         const auto ticks = stroke.optional_entry("ticks");
         if (ticks && ticks->size() != samples.size())
@@ -114,7 +117,7 @@ class EventReader {
             if (!down) place.guard([&] { document::check_time_order(last_sample_, sample); });
             const std::int64_t tick = ticks ? read_tick(ticks->element(i)) : implied_tick(sample);
             if (down)
-                events.push_back({tick, document::PenDown{sample, surface}});
+                events.push_back({tick, document::PenDown{sample, surface, beside}});
             else
                 events.push_back({tick, document::PenMove{sample}});
             last_sample_ = sample;

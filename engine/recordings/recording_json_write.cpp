@@ -51,10 +51,19 @@ class StrokeWriter {
   public:
     bool open() const { return open_; }
 
-    void begin(std::int64_t tick, bool continued, document::Surface surface) {
-        open_ = true;
-        surface_ = surface;
-        continued_ = continued;
+    void begin(std::int64_t tick, const document::PenDown& pen) {
+        go_on(tick);
+        surface_ = pen.surface;
+        beside_ = pen.beside;
+        continued_ = false;
+        add(tick, pen.sample);
+    }
+
+    /// With a stroke that another event interrupted.
+    void go_on(std::int64_t tick) {
+        open_ = continued_ = true;
+        surface_ = document::Surface::Canvas;
+        beside_ = false;
         first_tick_ = last_tick_ = tick;
         samples_ = ticks_ = files::Json::array();
         ticks_follow_ = true;
@@ -72,6 +81,7 @@ class StrokeWriter {
         open_ = false;
         files::Json stroke{{"samples", std::move(samples_)}};
         if (surface_ == document::Surface::Well) stroke["surface"] = "well";
+        if (beside_) stroke["beside"] = true;
         if (!ticks_follow_) stroke["ticks"] = std::move(ticks_);
         if (continued_) stroke["continued"] = true;
         if (lift_tick == nullptr) stroke["lifted"] = false;
@@ -82,6 +92,7 @@ class StrokeWriter {
   private:
     bool open_ = false, continued_ = false, ticks_follow_ = true;
     document::Surface surface_ = document::Surface::Canvas;  ///< told where the pen comes down
+    bool beside_ = false;                                    ///< the same
     std::int64_t first_tick_ = 0, last_tick_ = 0;
     files::Json samples_, ticks_;
 };
@@ -101,15 +112,14 @@ class EntryWriter {
 
     void operator()(const document::PenDown& pen) {
         finish();
-        stroke_.begin(tick_, false, pen.surface);
-        stroke_.add(tick_, pen.sample);
+        stroke_.begin(tick_, pen);
     }
     void operator()(const document::PenMove& pen) {
-        if (!stroke_.open()) stroke_.begin(tick_, true, document::Surface::Canvas);
+        if (!stroke_.open()) stroke_.go_on(tick_);
         stroke_.add(tick_, pen.sample);
     }
     void operator()(const document::PenUp&) {
-        if (!stroke_.open()) stroke_.begin(tick_, true, document::Surface::Canvas);
+        if (!stroke_.open()) stroke_.go_on(tick_);
         entries.push_back(stroke_.end(&tick_));
     }
     template <class Other>

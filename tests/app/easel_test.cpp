@@ -60,6 +60,14 @@ TEST_F(EaselTest, EveryStrokeStartsWithAFreshBrushUnlessToldOtherwise) {
     EXPECT_THAT(posted(), ElementsAre("down", "up"));
 }
 
+TEST_F(EaselTest, TellsThatThePenComesDownBeside) {
+    easel_.press({.beside = true});
+    EXPECT_TRUE(std::get<PenDown>(actions_.back()).beside);
+    easel_.release();
+    easel_.press({});
+    EXPECT_FALSE(std::get<PenDown>(actions_.back()).beside);
+}
+
 Pointer on_well(double x_mm, double y_mm) {
     Pointer pointer;
     pointer.surface = Surface::Well;

@@ -1,4 +1,5 @@
 // The panel of what was done.
+#include "app/canvas_mouse.hpp"
 #include "app/window_fixture.hpp"
 #include "panels/history/step_words.hpp"
 
@@ -72,6 +73,23 @@ TEST_F(HistoryWindow, AClickGoesBackAndAnotherForthAgain) {
     EXPECT_EQ(rows().size(), 4) << "what was undone can still be done again";
     stroke(10);
     EXPECT_EQ(rows().size(), 2);
+}
+
+TEST_F(HistoryWindow, APressBesideTheCanvasIsNoStepUntilItTouches) {
+    const auto drag = [&](const glm::dvec2& from_mm, const glm::dvec2& to_mm) {
+        send_mouse(canvas(), QEvent::MouseButtonPress, from_mm, {});
+        for (const glm::dvec2& place_mm : line_mm(from_mm, to_mm))
+            send_mouse(canvas(), QEvent::MouseMove, place_mm, {});
+        send_mouse(canvas(), QEvent::MouseButtonRelease, to_mm, {});
+        settle();
+    };
+    const std::int64_t changes = session().status().changes;
+    drag({-200, 8}, {-190, 8});
+    EXPECT_FALSE(session().status().can_undo);
+    EXPECT_EQ(session().status().changes, changes);
+    drag({-200, 8}, {15, 8});
+    EXPECT_EQ(rows(), (QStringList{"As far back as is kept", "Stroke"}));
+    EXPECT_EQ(session().status().changes, changes + 1);
 }
 
 }  // namespace

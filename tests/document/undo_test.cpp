@@ -18,6 +18,9 @@ namespace {
 /// Too little for one step of these paintings as it is, so that all but the last are packed.
 constexpr std::size_t kTightBudget_bytes = std::size_t{2} << 20;
 
+/// Of the account, as sums of many cells have it.
+constexpr double kRounding = 1e-9;
+
 void advance(Painting& painting, int ticks) {
     for (int i = 0; i < ticks; ++i)
         painting.advance_tick();
@@ -108,6 +111,8 @@ TEST(PaintingUndo, TheDepthOfARecordingIsHowFarItGoesBack) {
     EXPECT_EQ(depth({stroke, stroke}), 0U);
     EXPECT_EQ(depth({stroke, Undo{}}), 1U);
     EXPECT_EQ(depth({stroke, stroke, Undo{}, Redo{}, Undo{}}), 1U);
+    const PenDown beside{.sample = {}, .beside = true};
+    EXPECT_EQ(depth({stroke, stroke, Undo{}, beside, Undo{}}), 2U) << "it may be none";
     EXPECT_EQ(depth({stroke, stroke, stroke, Undo{}, Undo{}, stroke, Undo{}, Undo{}}), 3U);
 }
 
@@ -171,6 +176,82 @@ TEST(PaintingUndo, TellsWhichLayerItWas) {
         EXPECT_EQ(steps[i].step.name, expected[i].first) << i;
         EXPECT_EQ(steps[i].step.layer, expected[i].second) << i;
     }
+}
+
+/// A pen that comes down 30 mm to the left of the canvas and goes on to there.
+void paint_from_beside(Painting& painting, double to_x_mm) {
+    painting.apply(PenDown{.sample = {0.0, -30.0, 15.0, 0.5}, .beside = true});
+    for (int i = 1; i <= 30; ++i)
+        painting.apply(PenMove{{0.01 * i, -30.0 + (to_x_mm + 30.0) * i / 30.0, 15.0, 0.5}});
+    painting.apply(PenUp{});
+}
+
+class UndoBeside : public testing::Test {
+  protected:
+    UndoBeside() {
+        painting.apply(TakeBrush{"flat", 8, 1});
+        painting.apply(load_of("PB29"));
+        paint_wave(painting, 0.0, 10.0);
+        painting.apply(DryNow{});
+        painting.apply(Undo{});
+        hash = painting.state_hash();
+    }
+    void expect_step_that_undo_takes_back() {
+        EXPECT_EQ(painting.undo_steps().size(), 2U);
+        EXPECT_FALSE(painting.can_redo());
+        EXPECT_EQ(painting.late_strokes(), 1);
+        EXPECT_NE(painting.state_hash(), hash);
+        painting.apply(Undo{});
+        EXPECT_EQ(painting.state_hash(), hash);
+        EXPECT_LT(painting.account().volume_error_rel(), kRounding);
+    }
+
+    core::ThreadPool pool{1};
+    Painting painting{small_canvas(), pool};
+    std::uint64_t hash = 0;
+};
+
+TEST_F(UndoBeside, AStrokeThatTouchesNothingIsNoStep) {
+    paint_from_beside(painting, -15.0);
+    EXPECT_EQ(painting.undo_steps().size(), 1U);
+    EXPECT_TRUE(painting.can_redo());
+    EXPECT_EQ(painting.late_strokes(), 0);
+    EXPECT_EQ(painting.state_hash(), hash);
+    EXPECT_LT(painting.account().volume_error_rel(), kRounding);
+}
+
+TEST_F(UndoBeside, AStrokeThatComesInIsAStep) {
+    paint_from_beside(painting, 20.0);
+    expect_step_that_undo_takes_back();
+}
+
+TEST_F(UndoBeside, AMirrorMayTouchWhereTheHandDoesNot) {
+    painting.apply(SetSymmetry{{.centre_x_mm = 0.0, .centre_y_mm = 15.0, .mirror = true}});
+    paint_from_beside(painting, -15.0);
+    expect_step_that_undo_takes_back();
+}
+
+TEST_F(UndoBeside, AStrokeThatIsTurnedWaitsOn) {
+    painting.apply(PenDown{.sample = {0.0, -30.0, 15.0, 0.5}, .beside = true});
+    painting.apply(TurnStroke{40.0});
+    EXPECT_EQ(painting.undo_steps().size(), 1U);
+    for (int i = 1; i <= 30; ++i)
+        painting.apply(PenMove{{0.01 * i, -30.0 + 2.0 * i, 15.0, 0.5}});
+    painting.apply(PenUp{});
+    expect_step_that_undo_takes_back();
+}
+
+TEST_F(UndoBeside, AirThatReachesTheCanvasTouchesIt) {
+    painting.apply(TakeBrush{"Air blower 40", 20, 1});
+    paint_from_beside(painting, -2.0);
+    EXPECT_EQ(painting.undo_steps().size(), 2U);
+}
+
+TEST_F(UndoBeside, UndoDuringItTakesBackWhatWasBefore) {
+    painting.apply(PenDown{.sample = {0.0, -30.0, 15.0, 0.5}, .beside = true});
+    painting.apply(Undo{});
+    EXPECT_EQ(painting.undo_steps().size(), 0U);
+    EXPECT_EQ(painting.redo_steps().size(), 2U);
 }
 
 class UndoAtRest : public testing::Test {

@@ -498,6 +498,8 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
         recording.events = {{0, FeatherSelection{}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
+        recording.events = {{0, PenDown{.sample = {}, .beside = true}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
     }
 }
 
@@ -511,6 +513,19 @@ TEST(RecordingJson, TellsTheWheelWhereItIsTurned) {
     EXPECT_THAT(text, HasSubstr("[0.0,0.0,0.0,0.5],[0.0,0.0,0.0,0.5,0.0,0.0,0.0,-0.25]"));
     EXPECT_EQ(recording_from_json(text, "s.json"), recording);
     EXPECT_THAT(stroke_error("[[0,1,2,1,0,0,0,2]]"), HasSubstr("the wheel of the pen is 2"));
+}
+
+TEST(RecordingJson, TellsOfAPenThatComesDownBeside) {
+    Recording recording;
+    recording.events = {{0, PenDown{.sample = {.x_mm = -9.0, .pressure = 0.5}, .beside = true}},
+                        {0, CleanBrush{}},
+                        {0, PenMove{{.pressure = 0.5}}},
+                        {0, PenUp{}},
+                        {0, PenDown{{.pressure = 0.5}}},
+                        {0, PenUp{}}};
+    EXPECT_EQ(recording_from_json(recording_to_json(recording), "s.json"), recording);
+    EXPECT_EQ(error(file_with(R"({"tick":0,"stroke":{"samples":[],"continued":true,"beside":true}})")),
+              "s.json, events[0].stroke.beside: a stroke that goes on says nothing of where it began.");
 }
 
 TEST(RecordingJson, SaysThatItsClothWasTurned) {

@@ -68,14 +68,12 @@ void check_length(core::Pattern<0> name, const std::string& text, std::size_t mo
 }
 
 UndoRole undo_role(const Action& action) {
-    return std::visit(
-        []<class A>(const A& told) -> UndoRole {
-            if constexpr (requires { Table<A>::undo_role(told); })
-                return Table<A>::undo_role(told);
-            else
-                return Table<A>::kTraits.undo;
-        },
-        action);
+    return std::visit([](const auto& told) { return role_of(told); }, action);
+}
+
+bool counts_as_change(const Action& action) {
+    const auto* pen = std::get_if<PenDown>(&action);
+    return traits_of(action).changes_painting && (pen == nullptr || !pen->beside);
 }
 
 void check_action(const Action& action) {

@@ -55,6 +55,10 @@ inline const ActionTraits& traits_of(const Action& action) {
 /// step.
 UndoRole undo_role(const Action& action);
 
+/// Whether an action that has been carried out has changed the painting. Of a pen that comes down beside
+/// its surface nothing is known yet: Painting::late_strokes() counts it where it does.
+bool counts_as_change(const Action& action);
+
 /// Throws InputError for an unknown brush, paint or medium, or for a value that is not finite or outside
 /// the range that its table gives. The message names the value and says nothing of where it came from.
 void check_action(const Action& action);

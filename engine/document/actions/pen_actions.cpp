@@ -66,7 +66,9 @@ void apply(const PenUp&, LivingPainting&) {}
 void apply(const TurnStroke& turn, LivingPainting& painting) {
     if (!painting.stroke || !painting.begun->before) return;
     StrokeBegun begun = *std::move(painting.begun);
+    std::optional<AwaitedStep> awaited = std::exchange(painting.awaited_step, std::nullopt);
     painting.end_stroke();
+    painting.awaited_step = std::move(awaited);
     painting.return_to(*begun.before);
     begun.before.reset();
     for (brush::PenSample& sample : begun.samples)

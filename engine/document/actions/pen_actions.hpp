@@ -22,6 +22,7 @@ enum class Surface { Canvas, Well };
 struct PenDown {
     brush::PenSample sample;
     Surface surface = Surface::Canvas;  ///< until the pen lifts
+    bool beside = false;  ///< the surface: the stroke is an undo step once it touches, and none before
     friend bool operator==(const PenDown&, const PenDown&) = default;
 };
 struct PenMove {
@@ -86,10 +87,15 @@ struct Table<PenDown> {
     static constexpr ActionTraits kTraits =
         change("stroke", 1, step_name("Stroke"), "the pen comes down");
     static constexpr std::string_view kStepInWell = step_name("Stroke in the mixing well");
+    static constexpr UndoRole undo_role(const PenDown& pen) {
+        return pen.beside ? UndoRole::MaybeStep : UndoRole::Step;
+    }
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&PenDown::sample>>{});
         visit(Value<At<&PenDown::surface>>{
             .key = "surface", .name = "surface", .presence = Presence::Optional, .since = 4});
+        visit(Truth<At<&PenDown::beside>>{
+            .key = "beside", .name = "beside", .presence = Presence::Optional, .since = 15});
     }
 };
 

@@ -53,6 +53,12 @@ void perform(const A& action, LivingPainting& painting) {
         UndoStep step = step_of(action, painting);
         painting.end_stroke();
         Moment before = painting.moment();
+        // Whether it changes anything only the stroke that it begins can tell.
+        if (kTraits.undo == UndoRole::Step && role_of(action) == UndoRole::MaybeStep) {
+            painting.awaited_step = {std::move(before), std::move(step)};
+            apply(action, painting);
+            return;
+        }
         apply(action, painting);
         painting.history.remember(std::move(before), std::move(step));
     }

@@ -90,6 +90,15 @@ constexpr ActionTraits setting(const char* key, int since, std::string_view mean
 template <class Told>
 struct Table;
 
+/// What Undo makes of one action: as its table has it, unless what it says decides.
+template <class Told>
+constexpr UndoRole role_of(const Told& told) {
+    if constexpr (requires { Table<Told>::undo_role(told); })
+        return Table<Told>::undo_role(told);
+    else
+        return Table<Told>::kTraits.undo;
+}
+
 /// The way from an action to one of its values: members of members.
 template <auto... kMembers>
 struct At {
