@@ -334,21 +334,21 @@ void Easel::redo() {
 }
 
 void Easel::squeeze(double x_mm, double y_mm) {
-    squeeze(hand_.paint, x_mm, y_mm);
+    squeeze(hand_.paint, x_mm, y_mm, false);
 }
 
-void Easel::squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm) {
+void Easel::squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm, bool joins) {
     end_stroke();
     squeezed_paints_.note(paint);
     post_(SqueezePaint{paint, kDollop_mm3, std::clamp(x_mm, 0.0, kWellWidth_mm),
-                       std::clamp(y_mm, 0.0, kWellHeight_mm)});
+                       std::clamp(y_mm, 0.0, kWellHeight_mm), joins});
 }
 
-void Easel::squeeze_next(const document::PaintRecipe& paint) {
+void Easel::squeeze_next(const document::PaintRecipe& paint, bool joins) {
     const int column = squeezed_ % kPlacesInRow, row = squeezed_ / kPlacesInRow % 2;
     const double step_mm = (kWellWidth_mm - 2.0 * kPlaceMargin_mm) / (kPlacesInRow - 1);
     squeeze(paint, kPlaceMargin_mm + column * step_mm,
-            row == 0 ? kPlaceMargin_mm : kWellHeight_mm - kPlaceMargin_mm);
+            row == 0 ? kPlaceMargin_mm : kWellHeight_mm - kPlaceMargin_mm, joins);
     ++squeezed_;
 }
 

@@ -126,8 +126,8 @@ class Easel {
     void squeeze(double x_mm, double y_mm);
     void squeeze_next() { squeeze_next(hand_.paint); }
 
-    /// The same with another paint.
-    void squeeze_next(const document::PaintRecipe& paint);
+    /// The same with another paint; one undo step with the last one where it joins that.
+    void squeeze_next(const document::PaintRecipe& paint, bool joins = false);
     void clean_well();
 
     /// What was squeezed out here.
@@ -154,7 +154,7 @@ class Easel {
     brush::PenSample held() const;
 
   private:
-    void squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm);
+    void squeeze(const document::PaintRecipe& paint, double x_mm, double y_mm, bool joins);
     void end_stroke();
     void pour(const document::UseMedium& medium);
     void post_brush();

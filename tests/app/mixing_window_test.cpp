@@ -454,6 +454,9 @@ TEST_F(Tubes, OfASetAreSqueezedOutTogether) {
     EXPECT_EQ(studio().easel().hand().paint, in_hand);
     EXPECT_TRUE(studio().commands().action(Command::MixingWell)->isChecked());
     EXPECT_TRUE(session().take_errors().empty());
+    studio().easel().undo();
+    session().wait_until_applied();
+    EXPECT_FALSE(session().snapshot()->well.has_value()) << "all of them in one step";
 }
 
 TEST_F(Tubes, OfTheLastWellAreSqueezedOutAgain) {

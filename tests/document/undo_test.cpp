@@ -113,6 +113,9 @@ TEST(PaintingUndo, TheDepthOfARecordingIsHowFarItGoesBack) {
     EXPECT_EQ(depth({stroke, stroke, Undo{}, Redo{}, Undo{}}), 1U);
     const PenDown beside{.sample = {}, .beside = true};
     EXPECT_EQ(depth({stroke, stroke, Undo{}, beside, Undo{}}), 2U) << "it may be none";
+    SqueezePaint joined;
+    joined.joins = true;
+    EXPECT_EQ(depth({stroke, stroke, Undo{}, joined, Undo{}}), 2U);
     EXPECT_EQ(depth({stroke, stroke, stroke, Undo{}, Undo{}, stroke, Undo{}, Undo{}}), 3U);
 }
 

@@ -162,6 +162,39 @@ TEST_F(WellTest, UndoAndRedoIncludeTheWell) {
     }
 }
 
+SqueezePaint joined(SqueezePaint squeeze) {
+    squeeze.joins = true;
+    return squeeze;
+}
+
+TEST_F(WellTest, WhatIsSqueezedOutTogetherIsOneStep) {
+    painting.apply(squeeze_of("PY35", 30, 40));
+    const std::uint64_t one = painting.state_hash();
+    painting.apply(squeeze_of("PB29", 60, 20));
+    painting.apply(joined(squeeze_of("PW6", 60, 45)));
+    painting.apply(joined(squeeze_of("PR108", 60, 70)));
+    const std::uint64_t all = painting.state_hash();
+    EXPECT_EQ(painting.undo_steps().size(), 2U);
+    painting.apply(Undo{});
+    EXPECT_EQ(painting.state_hash(), one);
+    expect_balance();
+    painting.apply(Redo{});
+    EXPECT_EQ(painting.state_hash(), all);
+    expect_balance();
+    painting.apply(Undo{});
+    painting.apply(joined(squeeze_of("PW6", 60, 45)));
+    EXPECT_FALSE(painting.can_redo()) << "that would lose what joined";
+    painting.apply(Undo{});
+    EXPECT_EQ(well_mm3(), 0.0);
+}
+
+TEST_F(WellTest, WhatJoinsNothingIsNoStep) {
+    painting.apply(joined(squeeze_of("PY35", 30, 40)));
+    EXPECT_FALSE(painting.can_undo());
+    EXPECT_GT(well_mm3(), 1.0);
+    expect_balance();
+}
+
 TEST_F(WellTest, UndoOnTheWellKeepsABrushThatWasTakenSince) {
     painting.apply(squeeze_of("PY35", 30, 40));
     take_brush();

@@ -528,6 +528,17 @@ TEST(RecordingJson, TellsOfAPenThatComesDownBeside) {
               "s.json, events[0].stroke.beside: a stroke that goes on says nothing of where it began.");
 }
 
+TEST(RecordingJson, TellsOfTubesThatJoinAStep) {
+    Recording recording;
+    SqueezePaint squeeze{{{{"PY35", 1.0}}}, 250.0, 60.0, 45.0};
+    recording.events = {{0, squeeze}};
+    EXPECT_THAT(recording_to_json(recording), Not(HasSubstr("\"version\": 15,")));
+    squeeze.joins = true;
+    recording.events.push_back({0, squeeze});
+    EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,"));
+    EXPECT_EQ(recording_from_json(recording_to_json(recording), "s.json"), recording);
+}
+
 TEST(RecordingJson, SaysThatItsClothWasTurned) {
     Recording recording;
     recording.canvas.support_turn = {false, 3};

@@ -146,10 +146,10 @@ void TubeCommands::change(const std::function<void(tools::TubeRack&)>& work) {
     remember();
 }
 
-/// From the first free place of the well's edge on.
+/// From the first free place of the well's edge on, in one undo step.
 void TubeCommands::squeeze_out(const std::vector<document::PaintRecipe>& paints) {
-    for (const document::PaintRecipe& paint : paints)
-        studio_.easel().squeeze_next(paint);
+    for (std::size_t i = 0; i < paints.size(); ++i)
+        studio_.easel().squeeze_next(paints[i], i > 0);
     QAction* well = studio_.commands().action(commands::Command::MixingWell);
     if (!well->isChecked()) well->trigger();
 }

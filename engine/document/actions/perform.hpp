@@ -60,7 +60,10 @@ void perform(const A& action, LivingPainting& painting) {
             return;
         }
         apply(action, painting);
-        painting.history.remember(std::move(before), std::move(step));
+        if (role_of(action) == UndoRole::NoStep)
+            painting.history.join_latest();
+        else
+            painting.history.remember(std::move(before), std::move(step));
     }
 }
 
