@@ -14,7 +14,7 @@
 
 namespace pastoso::interactions {
 
-enum class MaskingForm { Fluid, Tape };
+using document::MaskingForm;
 
 class MaskingNib : public QObject, public view::Interaction {
     Q_OBJECT

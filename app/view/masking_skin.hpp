@@ -13,9 +13,10 @@ class MaskingSkin {
     /// Larger ones take longer to draw than a frame may.
     static constexpr int kMostSide_px = 2048;
 
-    /// Of all the canvas: light and dark stripes that paint of any colour shows through, and nothing
-    /// where nothing is masked. A pixel stands for one cell, or for several of a large canvas. Null
-    /// where nothing is masked at all.
+    /// Of all the canvas, and nothing where nothing is masked: fluid is a bluish skin with a rounded rim
+    /// that shines towards the upper left, tape a strip of warm paper with fibres and a crisp edge.
+    /// Paint of any colour shows through. A pixel stands for one cell, or for several of a large canvas.
+    /// Null where nothing is masked at all.
     const QImage& picture(const document::Masking& masking);
 
   private:

@@ -7,9 +7,18 @@
 namespace pastoso::document {
 namespace {
 
-Masking masking_of(grid::Mask cells) {
-    if (grid::chosen_area(cells).empty()) return {};
-    return {std::make_shared<const grid::Mask>(std::move(cells))};
+Selection without(const Selection& before, const grid::Mask& area) {
+    if (!before) return nullptr;
+    grid::Mask cells = grid::combined(*before, area, Combination::Subtract);
+    if (grid::chosen_area(cells).empty()) return nullptr;
+    return std::make_shared<const grid::Mask>(std::move(cells));
+}
+
+/// No cell stays none.
+Selection with(const Selection& before, const grid::Mask& area) {
+    if (grid::chosen_area(area).empty()) return before;
+    return std::make_shared<const grid::Mask>(before ? grid::combined(*before, area, Combination::Add)
+                                                     : area);
 }
 
 }  // namespace
@@ -23,13 +32,17 @@ grid::Mask area_of(const MaskStripe& stripe, const film::FilmState& film) {
         stripe.straight_ends ? grid::StripeEnds::Straight : grid::StripeEnds::Round);
 }
 
-Masking laid_on(const Masking& before, const grid::Mask& area) {
-    return masking_of(before.cells ? grid::combined(*before.cells, area, Combination::Add) : area);
+Masking laid_on(const Masking& before, const grid::Mask& area, MaskingForm form) {
+    return {with(before.cells, area),
+            form == MaskingForm::Tape ? with(before.tape, area) : without(before.tape, area)};
 }
 
 Masking peeled(const Masking& before, const grid::Mask& area) {
-    if (!before.cells) return {};
-    return masking_of(grid::combined(*before.cells, area, Combination::Subtract));
+    return {without(before.cells, area), without(before.tape, area)};
+}
+
+Masking changed(const Masking& before, const std::function<Selection(const Selection&)>& change) {
+    return {change(before.cells), change(before.tape)};
 }
 
 Selection without_masked(const Selection& selection, const Masking& masking) {

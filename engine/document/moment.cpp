@@ -130,7 +130,10 @@ struct FieldBytes {
     void operator()(const Selection& older, const Selection& newer) {
         if (older && older != newer) sum += grid::bytes_in_part(*older);
     }
-    void operator()(const Masking& older, const Masking& newer) { (*this)(older.cells, newer.cells); }
+    void operator()(const Masking& older, const Masking& newer) {
+        (*this)(older.cells, newer.cells);
+        (*this)(older.tape, newer.tape);
+    }
     void operator()(const film::FilmState&, const film::FilmState&) {}
     void operator()(const CopiedPaint&, const CopiedPaint&) {}
     void operator()(const std::optional<film::FilmState>&, const std::optional<film::FilmState>&) {}

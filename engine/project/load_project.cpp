@@ -226,6 +226,21 @@ std::shared_ptr<const grid::Mask> read_mask(const ZipReader& archive, const Pack
     return std::make_shared<const grid::Mask>(std::move(mask));
 }
 
+document::Masking read_masking(const ZipReader& archive, const ProjectIndex& index,
+                               const grid::Shape& shape) {
+    document::Masking masking;
+    if (index.masking) masking.cells = read_mask(archive, *index.masking, shape, false);
+    if (!index.masking_tape) return masking;
+    masking.tape = read_mask(archive, *index.masking_tape, shape, false);
+    const auto is_masked = [&](const grid::Mask& cells) {
+        return grid::chosen_area(grid::combined(*masking.tape, cells, grid::Combination::Subtract))
+            .empty();
+    };
+    if (!masking.cells || !is_masked(*masking.cells))
+        archive.fail(index.masking_tape->entry, "holds a cell that is not masked.");
+    return masking;
+}
+
 pigment::Picture decoded(const ZipReader& archive, const std::string& entry, std::string_view file) {
     try {
         return files::decode_png(file);
@@ -313,7 +328,7 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
         value.copied = read_apart(archive, *index.copied, medium, pool);
     }
     if (index.selection) value.selection = read_mask(archive, *index.selection, value.film.shape, true);
-    if (index.masking) value.masking.cells = read_mask(archive, *index.masking, value.film.shape, false);
+    value.masking = read_masking(archive, index, value.film.shape);
     if (index.tracing) read_tracing(archive, *index.tracing, value);
     read_references(archive, index, value);
     read_strokes(archive, index.strokes, setup.canvas, painting.tick, project);

@@ -416,9 +416,10 @@ void check_header(const JsonPlace& root) {
             "this was written by a newer Pastoso (project format %1; this program reads up to %2).",
             version, kProjectFormatVersion);
     }
-    root.allow_only({"format", "version", "program", "tick", "ageing", "account", "layers", "stack",
-                     "bare_support", "support_form", "well", "copied", "brush", "brush_aside",
-                     "selection", "masking", "tracing", "references", "strokes"});
+    root.allow_only({"format",  "version",      "program", "tick",         "ageing",
+                     "account", "layers",       "stack",   "bare_support", "support_form",
+                     "well",    "copied",       "brush",   "brush_aside",  "selection",
+                     "masking", "masking_tape", "tracing", "references",   "strokes"});
 }
 
 }  // namespace
@@ -461,6 +462,7 @@ std::string index_to_json(const ProjectIndex& index) {
     if (index.brush_aside) json["brush_aside"] = brush_json(*index.brush_aside);
     if (index.selection) json["selection"] = packed_json(*index.selection);
     if (index.masking) json["masking"] = packed_json(*index.masking);
+    if (index.masking_tape) json["masking_tape"] = packed_json(*index.masking_tape);
     if (index.tracing) json["tracing"] = recordings::set_tracing_json(*index.tracing);
     if (index.next_reference > 1) json["references"] = references_json(index);
     json["strokes"] = packed_json(index.strokes);
@@ -492,6 +494,8 @@ ProjectIndex index_from_json(const std::string& text, const std::string& name) {
         index.selection = read_packed_alone(*selection, kMostMaskBytes);
     if (const auto masking = root.optional_entry("masking"))
         index.masking = read_packed_alone(*masking, kMostMaskBytes);
+    if (const auto tape = root.optional_entry("masking_tape"))
+        index.masking_tape = read_packed_alone(*tape, kMostMaskBytes);
     if (const auto tracing = root.optional_entry("tracing")) {
         index.tracing = recordings::read_set_tracing(*tracing);
         tracing->guard([&] { document::check_action(*index.tracing); });

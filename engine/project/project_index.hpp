@@ -85,6 +85,7 @@ struct ProjectIndex {
     std::optional<BrushIndex> brush_aside{};  ///< none in formats before 10
     std::optional<PackedEntry> selection{};
     std::optional<PackedEntry> masking{};           ///< none in formats before 12
+    std::optional<PackedEntry> masking_tape{};      ///< of them; none in formats before 13
     std::optional<document::SetTracing> tracing{};  ///< where its picture lies in an entry of its own
     std::vector<ReferenceIndex> references{};       ///< from below; none in formats before 12
     document::ReferenceId next_reference = 1;

@@ -14,6 +14,7 @@ inline constexpr const char* kBrushEntry = "pastoso/brush.zst";
 inline constexpr const char* kBrushAsideEntry = "pastoso/brush-aside.zst";
 inline constexpr const char* kSelectionEntry = "pastoso/selection.zst";
 inline constexpr const char* kMaskingEntry = "pastoso/masking.zst";
+inline constexpr const char* kMaskingTapeEntry = "pastoso/masking-tape.zst";
 inline constexpr const char* kTracingEntry = "pastoso/tracing.png";
 inline constexpr const char* kReferenceFolder = "pastoso/references/";
 inline constexpr const char* kBareSupportFolder = "pastoso/bare/";

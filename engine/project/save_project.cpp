@@ -128,6 +128,9 @@ struct FieldKeeper {
     void operator()(const document::Masking& masking) const {
         if (masking.cells)
             draft.index.masking = add_packed(kMaskingEntry, mask_content(*masking.cells), draft.archive);
+        if (masking.tape)
+            draft.index.masking_tape =
+                add_packed(kMaskingTapeEntry, mask_content(*masking.tape), draft.archive);
     }
     void operator()(const document::SharedTracing& tracing) const {
         if (!tracing) return;

@@ -321,6 +321,33 @@ TEST_F(MaskingTest, MaskingComesAlongWithTheCanvas) {
     expect_balance();
 }
 
+TEST_F(MaskingTest, KnowsTapeFromFluid) {
+    const auto taped = [&] { return painting.state().value.masking.tape; };
+    painting.apply(MaskStripe{{{5, 5}, {35, 5}}, 4.0});
+    EXPECT_EQ(taped(), nullptr);
+    painting.apply(tape(10, 5, 30, 5, 4.0));
+    EXPECT_EQ(grid::chosen_area(*taped()), (grid::Rect{30, 9, 90, 21}));
+    const std::int64_t cells = masked_cells(painting);
+    painting.apply(box(10, 0, 20, 30));
+    painting.apply(MaskSelection{});
+    EXPECT_EQ(grid::chosen_area(*taped()), (grid::Rect{60, 9, 90, 21})) << "fluid went over it";
+    painting.apply(SelectAll{});
+    painting.apply(TurnCanvas{{true, 0}});
+    EXPECT_EQ(grid::chosen_area(*taped()), (grid::Rect{30, 9, 60, 21}));
+    painting.apply(Undo{});
+    painting.apply(peeling(tape(25, 5, 40, 5, 100.0)));
+    EXPECT_EQ(grid::chosen_area(*taped()), (grid::Rect{60, 9, 75, 21}));
+    painting.apply(ResizeCanvas{0, 0, 20, 30});
+    EXPECT_EQ(taped(), nullptr) << "what is left is fluid";
+    EXPECT_LT(masked_cells(painting), 60 * 90);
+    EXPECT_GT(cells, 60 * 12);
+    painting.apply(Undo{});
+    painting.apply(PeelMasking{});
+    EXPECT_EQ(taped(), nullptr);
+    painting.apply(Undo{});
+    EXPECT_EQ(grid::chosen_area(*taped()), (grid::Rect{60, 9, 75, 21}));
+}
+
 TEST_F(MaskingTest, AMirroredPaintingIsTheMirrorOfItsMask) {
     painting.apply(MaskStripe{{{8, 8}, {20, 20}}, 6.0});
     const grid::Mask before = *masked(painting);

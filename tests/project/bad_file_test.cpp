@@ -179,6 +179,22 @@ TEST_F(BadProject, ABoardOfReferencesThatIsNoneIsRefused) {
     EXPECT_THAT(error_of(archive_of(entries)), HasSubstr("pastoso/references/1.png: is missing"));
 }
 
+TEST_F(BadProject, TapeWhereNothingIsMaskedIsRefused) {
+    Project project = busy_project(pool);
+    document::Painting painting(project.painting, pool);
+    painting.apply(
+        document::MaskStripe{.line = {{3, 20}, {31, 22}}, .width_mm = 3.0, .straight_ends = true});
+    project.painting = painting.state();
+    file = file_of(project, folder, pool);
+    EXPECT_EQ(error_of(file), "");
+    const Bytes without = changed(file, "pastoso/index.json", [](std::string& index) {
+        const std::size_t begin = index.find("\"masking\":{");
+        index.erase(begin, index.find("},", begin) + 2 - begin);
+    });
+    EXPECT_EQ(error_of(without),
+              "it.pastoso, pastoso/masking-tape.zst: holds a cell that is not masked.");
+}
+
 TEST_F(BadProject, AnIndexWithoutReferencesIsReadAsItWas) {
     EXPECT_EQ(error_of_index("\"version\":13", "\"version\":11"), "");
 }

@@ -102,6 +102,7 @@ struct FieldComparer {
     }
     void operator()(const document::Masking& a, const document::Masking& b) const {
         (*this)(a.cells, b.cells);
+        (*this)(a.tape, b.tape);
     }
     void operator()(const document::SharedTracing& a, const document::SharedTracing& b) const {
         ASSERT_EQ(a != nullptr, b != nullptr);
@@ -224,10 +225,13 @@ TEST_F(ProjectRoundTrip, ASoftSelectionComesBackToTheShare) {
 TEST_F(ProjectRoundTrip, MaskingComesBackToTheCell) {
     auto painting = played(busy_session(), 85, pool);
     painting->apply(document::MaskStripe{{{3, 2}, {31, 12.7}}, 4.0});
+    painting->apply(
+        document::MaskStripe{.line = {{3, 20}, {31, 22}}, .width_mm = 3.0, .straight_ends = true});
     painting->apply(document::SetLayer{1, {.name = "Below", .bare_locked = true}});
     const Project project{painting->state(), {}};
     const LoadedProject loaded = saved_and_loaded(project);
     ASSERT_TRUE(loaded.painting.value.masking.cells);
+    ASSERT_TRUE(loaded.painting.value.masking.tape);
     EXPECT_TRUE(loaded.painting.value.layers.layers[0].look.bare_locked);
     expect_equal(loaded.painting, project.painting);
     document::Painting again(loaded.painting, pool);

@@ -32,7 +32,8 @@ void resample(const layers::Resampling& resampling, std::shared_ptr<const BareCa
     painting.canvas.resample(resampling, std::move(bare));
     painting.book(lay, painting.contents_of(painting.canvas.paint()));
     painting.value.selection = resampled(painting.value.selection, resampling);
-    painting.mask({resampled(painting.value.masking.cells, resampling)});
+    painting.mask(changed(painting.value.masking,
+                          [&](const Selection& cells) { return resampled(cells, resampling); }));
 }
 
 }  // namespace
@@ -58,7 +59,8 @@ void apply(const ResizeCanvas& resize, LivingPainting& painting) {
         ready = resized_canvas(resize, value.bare, painting.pool);
     painting.book(painting.canvas.resize(extent, std::move(ready->after)));
     value.selection = on_extent(value.selection, extent);
-    painting.mask({on_extent(value.masking.cells, extent)});
+    painting.mask(
+        changed(value.masking, [&](const Selection& cells) { return on_extent(cells, extent); }));
     const double cell_mm = value.film.cell_mm;
     if (value.tracing) value.tracing = moved(*value.tracing, -extent.x0 * cell_mm, -extent.y0 * cell_mm);
 }
@@ -81,7 +83,8 @@ void apply(const TurnCanvas& turn, LivingPainting& painting) {
                            value.film.shape.height * value.film.cell_mm));
     value.selection = turned(value.selection, turn.turn, painting.pool);
     painting.canvas.turn(turn.turn, std::move(bare));
-    painting.mask({turned(value.masking.cells, turn.turn, painting.pool)});
+    painting.mask(changed(
+        value.masking, [&](const Selection& cells) { return turned(cells, turn.turn, painting.pool); }));
 }
 
 bool changes_anything(const ScaleCanvas& scale, const LivingPainting&) {

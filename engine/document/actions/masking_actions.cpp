@@ -49,11 +49,13 @@ void apply(const MaskStripe& stripe, LivingPainting& painting) {
     if (stripe.peels)
         peel_to(peeled(value.masking, area), painting);
     else
-        painting.mask(laid_on(value.masking, area));
+        painting.mask(
+            laid_on(value.masking, area, stripe.straight_ends ? MaskingForm::Tape : MaskingForm::Fluid));
 }
 
 void apply(const MaskSelection&, LivingPainting& painting) {
-    painting.mask(laid_on(painting.value.masking, grid::hardened(*painting.value.selection)));
+    painting.mask(laid_on(painting.value.masking, grid::hardened(*painting.value.selection),
+                          MaskingForm::Fluid));
 }
 
 void apply(const SelectMasked& select, LivingPainting& painting) {

@@ -9,6 +9,8 @@ namespace pastoso::document {
 inline constexpr double kLeastStripe_mm = 0.01;
 inline constexpr double kMostStripe_mm = 1000.0;
 
+enum class MaskingForm { Fluid, Tape };
+
 // They keep to what is selected, as tools do; of soft edges, to what is selected by half or more.
 
 /// Masking fluid along the way of a round nib, or a strip of tape, which has straight ends; or what is
@@ -20,7 +22,7 @@ struct MaskStripe {
     bool peels = false;
     friend bool operator==(const MaskStripe&, const MaskStripe&) = default;
 };
-struct MaskSelection {  ///< all that is selected; nothing where nothing is
+struct MaskSelection {  ///< all that is selected, with fluid; nothing where nothing is
     friend bool operator==(const MaskSelection&, const MaskSelection&) = default;
 };
 struct SelectMasked {  ///< what is masked; where nothing is, nothing happens
