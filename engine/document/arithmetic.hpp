@@ -12,7 +12,8 @@ namespace pastoso::document {
 /// long paint waits for its step goes by millimetres where cells are fine (film/tile_activity.hpp). 6:
 /// paint lies in layers only where it is told apart by more than rounding (brush/transfer_kernels.cpp).
 /// 7: tips that are wider than 60 mm have more bristles, and the marks of rollers end straight
-/// (brush/preset.cpp, brush/tip.cpp); the cloth is drawn out with a painting that is scaled (cloth.hpp).
+/// (brush/preset.cpp, brush/tip.cpp); the cloth is drawn out with a painting that is scaled (cloth.hpp);
+/// paint that is moved or laid from elsewhere keeps off what is masked (layered_canvas.cpp).
 inline constexpr int kArithmetic = 7;
 
 /// What a painter should know of strokes of an earlier arithmetic, as the end of a sentence on them;

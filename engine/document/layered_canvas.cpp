@@ -134,11 +134,18 @@ LayerPaint merge_onto_lower(LayerStack& stack, std::size_t upper, core::ThreadPo
     return wiped;
 }
 
+/// Paint that comes from elsewhere lies on masking fluid and tape, and is gone with them.
+film::FilmState off_masking(film::FilmState paint, const Masking& masking) {
+    return masking.cells ? layers::cut(paint, *masking.cells).outside : paint;
+}
+
 film::FilmState transformed(const film::FilmState& layer, const layers::Projective& map_cells,
-                            const grid::Mask* selection, core::ThreadPool& pool) {
-    if (selection == nullptr) return layers::transformed(layer, map_cells, pool);
-    const layers::CutLayer parts = layers::cut(layer, *selection);
-    return layers::merged(parts.outside, layers::transformed(parts.inside, map_cells, pool), 1.0, pool);
+                            const grid::Mask* unmasked, const Masking& masking, core::ThreadPool& pool) {
+    if (unmasked == nullptr) return layers::transformed(layer, map_cells, pool);
+    const layers::CutLayer parts = layers::cut(layer, *unmasked);
+    const film::FilmState moved =
+        off_masking(layers::transformed(parts.inside, map_cells, pool), masking);
+    return layers::merged(parts.outside, moved, 1.0, pool);
 }
 
 std::vector<std::size_t> visible_places(const LayerStack& stack) {
@@ -433,8 +440,10 @@ LayerPaint LayeredCanvas::paint_picture(const PaintPicture& paint) {
     LayerPaint taken;
     rearrange([&](LayerStack& stack) {
         check_room(stack);
-        film::FilmState flat = layers::flat_paint(*paint.picture, paint.place, painting_.film.shape,
-                                                  painting_.film.cell_mm, pool_);
+        film::FilmState flat =
+            off_masking(layers::flat_paint(*paint.picture, paint.place, painting_.film.shape,
+                                           painting_.film.cell_mm, pool_),
+                        painting_.masking);
         taken = paint_on(flat);
         insert_above(stack, stack.active, new_look(stack, stack.active, paint.name),
                      inactive_film(std::move(flat)));
@@ -513,9 +522,10 @@ LayerPaint LayeredCanvas::paste(const PastePaint& paste, const film::FilmState& 
     LayerPaint taken;
     rearrange([&](LayerStack& stack) {
         check_room(stack);
-        film::FilmState paint =
+        film::FilmState paint = off_masking(
             layers::on_extent(in_cells_of(painting_.film, copied, pool_),
-                              {painting_.film.shape, -cells(paste.move_x_mm), -cells(paste.move_y_mm)});
+                              {painting_.film.shape, -cells(paste.move_x_mm), -cells(paste.move_y_mm)}),
+            painting_.masking);
         taken = paint_on(paint);
         insert_above(stack, stack.active, new_look(stack, stack.active, paste.name),
                      inactive_film(std::move(paint)));
@@ -550,14 +560,14 @@ LayerPaint LayeredCanvas::clear(const ClearLayer& clear, const grid::Mask* selec
 }
 
 LayerChange LayeredCanvas::transform(LayerId layer, const layers::Projective& map_cells,
-                                     const grid::Mask* selection) {
+                                     const grid::Mask* unmasked) {
     LayerChange paint;
     rearrange([&](LayerStack& stack) {
         const std::size_t place = place_of(stack, layer);
         check_unlocked(stack, place);
         InactiveFilm& film = stack.layers[place].inactive;
         paint.before = paint_on(*film);
-        film = inactive_film(transformed(*film, map_cells, selection, pool_));
+        film = inactive_film(transformed(*film, map_cells, unmasked, painting_.masking, pool_));
         paint.after = paint_on(*film);
     });
     return paint;

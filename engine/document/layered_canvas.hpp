@@ -87,7 +87,9 @@ class LayeredCanvas {
     void resample(const layers::Resampling& resampling, std::shared_ptr<const BareCanvas> bare);
 
     // Changes of the layers (actions). They throw InputError, and leave all
-    // as it was, for layers and places that there are not, and for changes of what is locked.
+    // as it was, for layers and places that there are not, and for changes of what is locked. Paint that
+    // is transformed, pasted or made of a picture keeps off what is masked; layers that are merged,
+    // duplicated or put in another order are so as a whole.
 
     void add(const AddLayer& added);
     void select(const SelectLayer& selected);
@@ -112,9 +114,10 @@ class LayeredCanvas {
     LayerPaint remove(const RemoveLayer& remove);                              ///< what was wiped off
     /// What was wiped off. Without a selection, null, that is everything.
     LayerPaint clear(const ClearLayer& clear, const grid::Mask* selection);
-    /// `map_cells`: where what lies on the layer, or is selected of it, comes to (layers/transform.hpp).
+    /// `map_cells`: where what lies on the layer comes to, as far as it is selected and not masked;
+    /// null: all (layers/transform.hpp).
     LayerChange transform(LayerId layer, const layers::Projective& map_cells,
-                          const grid::Mask* selection);
+                          const grid::Mask* unmasked);
 
     /// The paint of a layer, or all that is visible, apart from what it lies on. With a selection, what
     /// is selected of it. Throws InputError where there is none such.

@@ -373,6 +373,101 @@ TEST_F(MaskingTest, ItIsTheSameOnEveryLayer) {
     expect_balance();
 }
 
+class MaskedLayers : public MaskingTest {
+  protected:
+    /// Paint from 5 to 15 mm, a tape across it and one to the right of it.
+    void SetUp() override {
+        MaskingTest::SetUp();
+        painting.apply(box(5, 5, 15, 25));
+        painting.apply(wash());
+        painting.apply(SelectAll{});
+        painting.apply(tape(0, 15, 18, 15, 4.0));
+        painting.apply(tape(20, 0, 20, 30, 6.0));
+    }
+    /// Of the active layer.
+    Changes painted() {
+        painting.apply(SelectPaint{});
+        const grid::Mask cells = *painting.state().value.selection;
+        painting.apply(Undo{});
+        const grid::Mask& mask = *masked(painting);
+        const std::int64_t all = grid::chosen_cells(cells);
+        const std::int64_t below =
+            grid::chosen_cells(grid::combined(cells, mask, Combination::Intersect));
+        return {static_cast<int>(below), static_cast<int>(all - below)};
+    }
+    void expect_moved_off_the_tape(const Action& move) {
+        const film::FilmState before = painting.film();
+        const std::uint64_t hash = painting.state_hash();
+        const double taken_mm3 = painting.account().taken.volume_mm3;
+        const double wiped_mm3 = painting.account().ledger.volume_mm3;
+        painting.apply(move);
+        const Changes changed = changes(before, painting.film(), *masked(painting));
+        EXPECT_EQ(changed.masked, 0) << "what lies below stays, and nothing comes there";
+        EXPECT_GT(changed.free, 500);
+        EXPECT_GT(painting.account().ledger.volume_mm3, wiped_mm3 + 1.0) << "it went with the tape";
+        EXPECT_NEAR(painting.account().taken.volume_mm3, taken_mm3, 1e-9);
+        expect_balance();
+        painting.apply(Undo{});
+        EXPECT_EQ(painting.state_hash(), hash);
+        expect_balance();
+    }
+};
+
+TEST_F(MaskedLayers, WhatIsMovedOntoTapeGoesWithIt) {
+    expect_moved_off_the_tape(TransformLayer{1, {.move_x_mm = 10.0}});
+}
+
+TEST_F(MaskedLayers, TheSameOfDryPaint) {
+    painting.apply(PeelMasking{});
+    painting.apply(DryNow{});
+    painting.apply(tape(0, 15, 18, 15, 4.0));
+    painting.apply(tape(20, 0, 20, 30, 6.0));
+    expect_moved_off_the_tape(TransformLayer{1, {.move_x_mm = 10.0}});
+}
+
+TEST_F(MaskedLayers, TheSameOfWhatIsSelected) {
+    painting.apply(box(0, 0, 40, 14));
+    expect_moved_off_the_tape(TransformLayer{1, {.move_x_mm = 10.0}});
+}
+
+TEST_F(MaskedLayers, TheSameOfWhatIsDistorted) {
+    expect_moved_off_the_tape(DistortLayer{1, {{5, 5}, 10, 20, {15, 5}, {27, 6}, {26, 25}, {15, 25}}});
+}
+
+TEST_F(MaskedLayers, WhatIsPastedOntoTapeIsNotLaid) {
+    painting.apply(CopyPaint{1});
+    const double taken_mm3 = painting.account().taken.volume_mm3;
+    painting.apply(PastePaint{"Copy", 10.0, 0.0});
+    const Changes cells = painted();
+    EXPECT_EQ(cells.masked, 0);
+    EXPECT_GT(cells.free, 500);
+    const double pasted_mm3 = painting.account().taken.volume_mm3 - taken_mm3;
+    EXPECT_NEAR(pasted_mm3, cells.free * 0.3 / 9.0, 0.01 * pasted_mm3) << "the wash is 0.3 mm thick";
+    expect_balance();
+}
+
+TEST_F(MaskedLayers, PicturesAndGroundsKeepOffTape) {
+    const auto grey =
+        std::make_shared<const pigment::Picture>(pigment::Picture{1, 1, {90, 90, 90, 255}});
+    painting.apply(PaintPicture{"Photo", {0, 0, 40, 30}, grey});
+    EXPECT_EQ(painted().masked, 0);
+    EXPECT_GT(painted().free, 1000);
+    painting.apply(ToneGround{.paint = {{{"PY35", 1.0}}}, .name = "Ground"});
+    painting.apply(SelectLayer{painting.layers().layers.front().id});
+    EXPECT_EQ(painted().masked, 0);
+    EXPECT_GT(painted().free, 1000);
+    expect_balance();
+}
+
+TEST_F(MaskedLayers, LayersAreMergedAndDuplicatedAsAWhole) {
+    painting.apply(DuplicateLayer{1});
+    const Changes both = painted();
+    EXPECT_GT(both.masked, 100);
+    painting.apply(MergeDown{painting.layers().layers.back().id});
+    EXPECT_EQ(painted().masked, both.masked);
+    expect_balance();
+}
+
 TEST_F(MaskingTest, WhatCannotBeMaskedIsRefused) {
     EXPECT_THAT(error_of([&] {
                     painting.apply(MaskStripe{{}, 5.0});

@@ -67,7 +67,9 @@ void apply(const ToneGround& tone, LivingPainting& painting) {
     const layers::PouredPaint coat{.medium = painting.medium,
                                    .paint = mixed_paint(tone.paint, painting.medium),
                                    .thickness_mm = tone.thickness_mm};
-    film::FilmState ground = layers::poured_film(coat, film.shape, film.cell_mm, nullptr, painting.pool);
+    const Selection open = without_masked(nullptr, painting.value.masking);
+    film::FilmState ground =
+        layers::poured_film(coat, film.shape, film.cell_mm, open.get(), painting.pool);
     film::dry_now(ground, painting.pool);
     painting.value.flows.taken +=
         painting.contents_of(painting.canvas.lay_ground(tone.name, std::move(ground)));

@@ -15,7 +15,7 @@ void check_scale(const char* axis, double scale) {
 
 void move_paint(LayerId layer, const layers::Projective& map_cells, LivingPainting& painting) {
     PaintingValue& value = painting.value;
-    painting.book(painting.canvas.transform(layer, map_cells, value.selection.get()));
+    painting.book(painting.canvas.transform(layer, map_cells, painting.unmasked().get()));
     value.selection = transformed(value.selection, map_cells);
 }
 
