@@ -4,6 +4,7 @@
 #include "dialogs/texture_picture.hpp"
 #include "document/actions/texture_actions.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 
 #include <QCheckBox>
@@ -36,7 +37,8 @@ TextureDialog::TextureDialog(const ChosenTexture& proposal, const QString& pictu
       forms_(new QComboBox),
       others_(new QPushButton(tr("A&nother"))),
       piece_(new QLabel),
-      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)),
+      reader_(kPiece_px) {
     setWindowTitle(tr("Texture paste"));
     form_->setContentsMargins(18, 18, 18, 14);
     form_->setSpacing(9);
@@ -70,6 +72,10 @@ TextureDialog::TextureDialog(const ChosenTexture& proposal, const QString& pictu
         show_form();
     });
     connect(others_, &QPushButton::clicked, this, &TextureDialog::take_others);
+    connect(&reader_, &StencilReader::was_read, this, [this](const StencilReader::Picture& picture) {
+        stencil_ = picture;
+        show_piece();
+    });
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
     show_form();
@@ -149,8 +155,12 @@ void TextureDialog::show_form() {
     const bool pressed = chosen_.form == Form::Pressed;
     for (QWidget* of_picture : std::initializer_list<QWidget*>{picture_, relief_, dark_})
         form_->setRowVisible(of_picture, pressed);
-    for (QWidget* of_seed : std::initializer_list<QWidget*>{piece_, others_})
-        form_->setRowVisible(of_seed, !pressed);
+    form_->setRowVisible(others_, !pressed);
+    if (pressed && chosen_.picture != wanted_) {
+        wanted_ = chosen_.picture;
+        stencil_.reset();
+        reader_.want(wanted_.toStdString());
+    }
     picture_->setText(chosen_.picture.isEmpty() ? tr("Choose a picture...")
                                                 : QFileInfo(chosen_.picture).fileName());
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(!pressed || !chosen_.picture.isEmpty());
@@ -158,10 +168,28 @@ void TextureDialog::show_form() {
 }
 
 void TextureDialog::show_piece() {
-    if (chosen_.form == Form::Pressed) return;
-    const layers::Texture texture =
-        chosen_.form == Form::Sand ? layers::Texture(chosen_.sand) : layers::Texture(chosen_.knifed);
-    piece_->setPixmap(QPixmap::fromImage(texture_picture(texture, kPiece_px, kPiecePxPerMm)));
+    const bool there = chosen_.form != Form::Pressed || stencil_;
+    if (there) piece_->setPixmap(QPixmap::fromImage(piece()));
+    form_->setRowVisible(piece_, there);
+}
+
+QImage TextureDialog::piece() const {
+    if (chosen_.form == Form::Sand) return texture_picture(chosen_.sand, kPiece_px, kPiecePxPerMm);
+    if (chosen_.form == Form::Knifed) return texture_picture(chosen_.knifed, kPiece_px, kPiecePxPerMm);
+    return pressed_piece();
+}
+
+/// All of it, its slopes as steep as they will be.
+QImage TextureDialog::pressed_piece() const {
+    const QSize size_px =
+        QSize(stencil_->width, stencil_->height).scaled(kPiece_px, Qt::KeepAspectRatio);
+    const layers::PicturePlace& room = chosen_.pressed.place;
+    const double px_per_mm =
+        std::max(size_px.width() / room.width_mm, size_px.height() / room.height_mm);
+    layers::PressedTexture pressed = chosen_.pressed;
+    pressed.picture = stencil_;
+    pressed.place = {0.0, 0.0, size_px.width() / px_per_mm, size_px.height() / px_per_mm};
+    return texture_picture(pressed, size_px, px_per_mm);
 }
 
 }  // namespace pastoso::dialogs

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "dialogs/growing_dialog.hpp"
+#include "dialogs/stencil_reader.hpp"
 #include "layers/texture/texture.hpp"
 
+#include <QImage>
 #include <QString>
 
 class QCheckBox;
@@ -16,7 +18,8 @@ class QPushButton;
 
 namespace pastoso::dialogs {
 
-/// What is chosen of each form, and which form it is. The picture is yet to be read and to be placed.
+/// What is chosen of each form, and which form it is. The picture is yet to be read; it is to lie in the
+/// middle of its place, as large as it fits.
 struct ChosenTexture {
     enum class Form { Sand, Knifed, Pressed };
     Form form = Form::Sand;
@@ -47,6 +50,8 @@ class TextureDialog : public GrowingDialog {
     void take_others();  ///< of the seed
     void show_form();
     void show_piece();
+    QImage piece() const;
+    QImage pressed_piece() const;
 
     ChosenTexture chosen_;
     QString picture_filter_;
@@ -58,6 +63,9 @@ class TextureDialog : public GrowingDialog {
     QCheckBox* dark_ = nullptr;
     QLabel* piece_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;
+    QString wanted_;                  ///< path of the picture that was asked for last
+    StencilReader::Picture stencil_;  ///< of it, small; null until it is there
+    StencilReader reader_;
 };
 
 }  // namespace pastoso::dialogs

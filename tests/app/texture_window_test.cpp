@@ -4,7 +4,9 @@
 #include "dialogs/texture_dialog.hpp"
 #include "files/image.hpp"
 
+#include <algorithm>
 #include <variant>
+#include <vector>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -122,13 +124,42 @@ TEST_F(TextureWindow, APictureIsPressedIn) {
     EXPECT_TRUE(button->isEnabled());
     EXPECT_EQ(part<QPushButton>(dialog, "picture").text(), "relief.png");
     part<QDoubleSpinBox>(dialog, "relief_mm").setValue(0.75);
+    const auto& piece = part<QLabel>(dialog, "piece");
+    wait_for([&] { return piece.isVisibleTo(&dialog); });
+    const auto middle_of_piece = [&] {
+        const QImage image = piece.pixmap(Qt::ReturnByValue).toImage();
+        std::vector<int> greys;
+        for (int x = image.width() / 4; x < image.width() * 3 / 4; ++x)
+            greys.push_back(qGray(image.pixel(x, image.height() / 2)));
+        return greys;
+    };
+    const std::vector<int> rising = middle_of_piece();
+    const int flat = rising.front();
+    EXPECT_EQ(*std::min_element(rising.begin(), rising.end()), flat);
+    EXPECT_GT(*std::max_element(rising.begin(), rising.end()), flat) << "the step faces the light";
     part<QCheckBox>(dialog, "dark_raised").setChecked(true);
+    const std::vector<int> falling = middle_of_piece();
+    EXPECT_LT(*std::min_element(falling.begin(), falling.end()), flat - 60);
     dialog.accept();
     loaded();
     settle();
     const document::CanvasSettings& canvas = session().canvas();
     EXPECT_NEAR(paste_mm(0.25 * canvas.width_mm, 0.5 * canvas.height_mm), 0.75, 0.001);
     EXPECT_EQ(paste_mm(0.75 * canvas.width_mm, 0.5 * canvas.height_mm), 0.0);
+}
+
+TEST_F(TextureWindow, APictureThatCannotBeReadHasNoPiece) {
+    dialogs::TextureDialog& dialog = opened();
+    choose(dialog, ChosenTexture::Form::Pressed);
+    const auto& piece = part<QLabel>(dialog, "piece");
+    EXPECT_FALSE(piece.isVisibleTo(&dialog));
+    dialog.choose_picture(written_picture());
+    wait_for([&] { return piece.isVisibleTo(&dialog); });
+    dialog.choose_picture(QStringLiteral("/nowhere/relief.png"));
+    EXPECT_FALSE(piece.isVisibleTo(&dialog));
+    choose(dialog, ChosenTexture::Form::Sand);
+    EXPECT_TRUE(piece.isVisibleTo(&dialog));
+    dialog.reject();
 }
 
 TEST_F(TextureWindow, APictureIsPressedIntoWhatIsSelected) {

@@ -42,6 +42,7 @@ TextureCommands::TextureCommands(Studio& studio, Loading& loading) : studio_(stu
 
 void TextureCommands::ask() {
     if (is_lent()) return;
+    chosen_.pressed.place = room_of(*studio_.session().snapshot());
     auto* dialog = new dialogs::TextureDialog(
         chosen_, tr("Pictures (%1);;All files (*)").arg(picture_endings()), &studio_.window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
