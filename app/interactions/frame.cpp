@@ -1,7 +1,7 @@
 #include "interactions/frame.hpp"
 
+#include "appearance/cursors.hpp"
 #include "appearance/screen_colours.hpp"
-#include "core/units.hpp"
 #include "interactions/event_place.hpp"
 
 #include <cmath>
@@ -10,7 +10,6 @@
 
 #include <QKeyEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 namespace pastoso::interactions {
 namespace {
@@ -37,40 +36,6 @@ std::vector<glm::vec2> square_around(const glm::dvec2& middle_mm, double half_mm
     for (const glm::dvec2& corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
         points.push_back(point(middle_mm + half_mm * corner));
     return points;
-}
-
-/// Along which a handle goes from the middle of the frame, on the screen.
-Qt::CursorShape scaling_cursor(const glm::dvec2& way) {
-    static constexpr Qt::CursorShape kShapes[] = {Qt::SizeHorCursor, Qt::SizeFDiagCursor,
-                                                  Qt::SizeVerCursor, Qt::SizeBDiagCursor};
-    const double eighths = std::atan2(way.y, way.x) / (0.25 * core::kPi);
-    return kShapes[(static_cast<int>(std::lround(eighths)) + 8) % 4];
-}
-
-/// A bow with a point at both ends.
-const QCursor& turning_cursor() {
-    static const QCursor cursor = [] {
-        constexpr int kSide = 24;
-        QPixmap picture(kSide, kSide);
-        picture.fill(Qt::transparent);
-        QPainter painter(&picture);
-        painter.setRenderHint(QPainter::Antialiasing);
-        QPainterPath bow;
-        bow.arcMoveTo(5, 6, 14, 14, 30);
-        bow.arcTo(5, 6, 14, 14, 30, 120);
-        QPainterPath points;
-        points.addPolygon(QPolygonF({{19.5, 5.5}, {19.5, 12.0}, {13.5, 10.0}}));
-        points.closeSubpath();
-        points.addPolygon(QPolygonF({{4.5, 5.5}, {4.5, 12.0}, {10.5, 10.0}}));
-        points.closeSubpath();
-        painter.strokePath(bow, QPen(Qt::white, 4.0, Qt::SolidLine, Qt::FlatCap));
-        painter.strokePath(points, QPen(Qt::white, 2.0));
-        painter.strokePath(bow, QPen(Qt::black, 2.0, Qt::SolidLine, Qt::FlatCap));
-        painter.fillPath(points, Qt::black);
-        painter.end();
-        return QCursor(picture, kSide / 2, kSide / 2);
-    }();
-    return cursor;
 }
 
 tools::TransformFrame as_it_was(const tools::TransformFrame& frame) {
@@ -173,11 +138,11 @@ std::optional<QCursor> Frame::cursor() const {
     if (!frame_) return std::nullopt;
     const tools::FrameHold hold = drag_ ? drag_->hold : under_;
     if (hold.kind == tools::FrameHold::Kind::Move) return Qt::SizeAllCursor;
-    if (hold.kind == tools::FrameHold::Kind::Turn) return turning_cursor();
+    if (hold.kind == tools::FrameHold::Kind::Turn) return appearance::turning_cursor();
     if (hold.kind == tools::FrameHold::Kind::Distort) return Qt::CrossCursor;
     const QPointF way = canvas_.widget_position(tools::handle_mm(*frame_, hold.side)) -
                         canvas_.widget_position(tools::handle_mm(*frame_, {0, 0}));
-    return scaling_cursor({way.x(), way.y()});
+    return appearance::scaling_cursor(way);
 }
 
 /// The box as it was is drawn faintly.

@@ -41,6 +41,12 @@ void History::remember(Moment before, UndoStep step) {
     limit_unpacked();
 }
 
+bool History::join_latest(const UndoStep& step) {
+    if (past_.empty() || past_.steps().back().step.name != step.name) return false;
+    future_.clear();
+    return true;
+}
+
 Moment History::step_back(Moment now) {
     PASTOSO_CHECK(can_undo());
     if (past_.is_undecided(packed_bytes_)) past_.finish_packing();

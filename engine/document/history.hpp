@@ -33,9 +33,9 @@ class History {
     /// Keeps the moment before a change. What was undone until now cannot be redone any more.
     void remember(Moment before, UndoStep step);
 
-    /// A change belongs to the latest step, whose moment stands; where there is none, it is no step.
-    /// What was undone until now cannot be redone any more.
-    void join_latest() { future_.clear(); }
+    /// A change belongs to the latest step, whose moment stands, where that has the same name; else it
+    /// is to be remembered: false. What was undone until now cannot be redone any more.
+    bool join_latest(const UndoStep& step);
 
     bool can_undo() const { return !past_.empty(); }
     bool can_redo() const { return !future_.empty(); }

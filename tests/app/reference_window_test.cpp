@@ -141,6 +141,31 @@ TEST_F(ReferenceWindow, ManyComeBesideOneAnother) {
     ASSERT_EQ(references.size(), 2U);
     EXPECT_FALSE(panels::extent_mm(references[0]).intersects(panels::extent_mm(references[1])));
     EXPECT_THAT(told(), HasSubstr("none.png"));
+    EXPECT_EQ(board().chosen()->id, references[1].id);
+    action(Command::Undo)->trigger();
+    EXPECT_TRUE(kept().references.empty()) << "they came in one step";
+}
+
+TEST_F(ReferenceWindow, ThePointerTellsWhatAPressDoes) {
+    add();
+    board().zoom_about({0.5 * board().width(), 0.5 * board().height()}, 0.5);
+    const auto shape_at = [&](const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+        QMouseEvent event(QEvent::MouseMove, at, board().mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                          keys);
+        QApplication::sendEvent(&board(), &event);
+        return board().cursor().shape();
+    };
+    EXPECT_EQ(shape_at(on_first(0.25, 0.5)), Qt::SizeAllCursor);
+    EXPECT_EQ(shape_at(on_first(0.25, 0.5), Qt::ControlModifier), Qt::CrossCursor);
+    EXPECT_EQ(shape_at(QPoint(2, 2)), Qt::ArrowCursor);
+    EXPECT_EQ(shape_at(on_first(1.0, 1.0)), shape_at(on_first(0.0, 0.0)));
+    EXPECT_NE(shape_at(on_first(1.0, 1.0)), shape_at(on_first(1.0, 0.0)));
+    EXPECT_EQ(shape_at(on_first(0.5, 0.0) - QPoint(0, 22)), Qt::BitmapCursor) << "the ring that turns";
+    action(Command::PickColour)->trigger();
+    EXPECT_EQ(shape_at(on_first(0.25, 0.5)), Qt::CrossCursor);
+    action(Command::PickColour)->trigger();
+    board().choose(0);
+    EXPECT_EQ(shape_at(on_first(1.0, 1.0) - QPoint(2, 2)), Qt::SizeAllCursor) << "it has no handles";
 }
 
 TEST_F(ReferenceWindow, DraggingMovesAPictureByOneStep) {

@@ -56,6 +56,20 @@ TEST_F(ReferenceBoardTest, ChangesNothingOfThePaint) {
     EXPECT_EQ(*Painting(painting.state(), pool).snapshot().references, board());
 }
 
+TEST_F(ReferenceBoardTest, PicturesThatComeTogetherAreOneStep) {
+    lay(1);
+    for (const bool joins : {false, true, true})
+        painting.apply(LayReference{"picture", {0, 5, 40, 0, false}, plain(8, 6), joins});
+    EXPECT_EQ(painting.undo_steps().size(), 2U);
+    painting.apply(Undo{});
+    EXPECT_THAT(order(), ElementsAre(1));
+    painting.apply(Redo{});
+    EXPECT_THAT(order(), ElementsAre(1, 2, 3, 4));
+    painting.apply(MoveReference{1, 1});
+    painting.apply(LayReference{"picture", {}, plain(8, 6), true});
+    EXPECT_EQ(painting.undo_steps().size(), 4U) << "there was nothing of its kind to join";
+}
+
 TEST_F(ReferenceBoardTest, EveryChangeIsUndoneAndDoneAgain) {
     lay(2);
     const SetReference set{1, {-3, 4, 60, 30, true}, {0.25, true}};

@@ -188,9 +188,12 @@ TEST_F(WellTest, WhatIsSqueezedOutTogetherIsOneStep) {
     EXPECT_EQ(well_mm3(), 0.0);
 }
 
-TEST_F(WellTest, WhatJoinsNothingIsNoStep) {
+TEST_F(WellTest, WhatJoinsNothingOfItsKindIsAStepOfItsOwn) {
     painting.apply(joined(squeeze_of("PY35", 30, 40)));
-    EXPECT_FALSE(painting.can_undo());
+    EXPECT_EQ(painting.undo_steps().size(), 1U);
+    painting.apply(DryNow{});
+    painting.apply(joined(squeeze_of("PW6", 60, 45)));
+    EXPECT_EQ(painting.undo_steps().size(), 3U);
     EXPECT_GT(well_mm3(), 1.0);
     expect_balance();
 }

@@ -87,6 +87,10 @@ TEST(PictureRecording, ReferencesAreReadAsTheyAreWritten) {
     EXPECT_THAT(text, HasSubstr("\"version\": 14"));
     const document::Recording read = recording_from_json(text, "file");
     EXPECT_EQ(read, kept);
+    document::Recording joined = kept;
+    std::get<document::LayReference>(joined.events[0].action).joins = true;
+    EXPECT_THAT(recording_to_json(joined), HasSubstr("\"version\": 15"));
+    EXPECT_EQ(recording_from_json(recording_to_json(joined), "file"), joined);
     EXPECT_EQ(std::get<document::LayReference>(read.events[0].action).picture->png, picture->png);
     EXPECT_THAT(sentence_of(changed(text, "0.3", "3")),
                 HasSubstr("events[1].set_reference: the opacity of the reference is 3"));

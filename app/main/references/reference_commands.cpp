@@ -142,6 +142,7 @@ void ReferenceCommands::add(const QString& what, std::vector<Source> sources,
 
 void ReferenceCommands::lay(const std::vector<Packed>& pictures, std::optional<QPointF> middle_mm) {
     QRectF taken_mm = panels::extent_mm(panel_->board().board());
+    bool joins = false;
     for (const Packed& packed : pictures) {
         document::Reference laid{.picture = packed.picture};
         const double proportion = panels::proportion_of(laid.picture->pixels);
@@ -149,7 +150,8 @@ void ReferenceCommands::lay(const std::vector<Packed>& pictures, std::optional<Q
                                : panels::place_beside(taken_mm, proportion);
         taken_mm = middle_mm ? panels::extent_mm(laid) : taken_mm.united(panels::extent_mm(laid));
         middle_mm.reset();
-        studio_.session().post(document::LayReference{packed.name, laid.place, laid.picture});
+        studio_.session().post(document::LayReference{packed.name, laid.place, laid.picture, joins});
+        joins = true;
     }
     dock_->show();
     dock_->raise();

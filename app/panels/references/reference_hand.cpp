@@ -1,4 +1,5 @@
 // What mouse, wheel and keys do on the board of references.
+#include "appearance/cursors.hpp"
 #include "panels/references/reference_places.hpp"
 #include "panels/references/reference_view.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <QApplication>
 #include <QDropEvent>
+#include <QEnterEvent>
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QMouseEvent>
@@ -30,17 +32,20 @@ void ReferenceView::resizeEvent(QResizeEvent*) {
     if (fitted_) fit();
 }
 
+bool ReferenceView::would_pick(Qt::KeyboardModifiers keys) const {
+    return pick_next_ || (keys & (Qt::ControlModifier | Qt::AltModifier)) != 0;
+}
+
 bool ReferenceView::picks(const QMouseEvent& event) const {
-    const bool by_keys = (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) != 0;
-    return event.button() == Qt::LeftButton && (pick_next_ || by_keys);
+    return event.button() == Qt::LeftButton && would_pick(event.modifiers());
 }
 
 void ReferenceView::pick(const QPointF& position) {
     if (const auto colour = colour_at(position)) Q_EMIT colour_picked(*colour);
 }
 
-/// A handle of the chosen picture, the picture below the pointer, which is chosen then, or the board.
-ReferenceView::Gesture ReferenceView::gesture_at(const QPointF& position) {
+/// A handle of the chosen picture, the picture below the pointer, or the board.
+ReferenceView::Gesture ReferenceView::gesture_at(const QPointF& position) const {
     Gesture gesture{.drag = Drag::View, .from = position, .last = position};
     const auto begin = [&](Drag drag, const document::Reference& one) {
         gesture.drag = drag;
@@ -57,9 +62,30 @@ ReferenceView::Gesture ReferenceView::gesture_at(const QPointF& position) {
     }
     if (gesture.drag != Drag::View) return gesture;
     const document::Reference* below = reference_at(shown_, board_mm(position));
-    choose(below == nullptr ? 0 : below->id);
     if (below != nullptr) begin(Drag::Move, *below);
     return gesture;
+}
+
+QCursor ReferenceView::cursor_of(const Gesture& gesture) const {
+    if (gesture.drag == Drag::Turn) return appearance::turning_cursor();
+    if (gesture.drag == Drag::Move) return Qt::SizeAllCursor;
+    if (gesture.drag != Drag::Corner) return Qt::ArrowCursor;
+    const document::Reference* one = chosen();
+    const document::Reference& held = one == nullptr ? gesture.before : *one;
+    return appearance::scaling_cursor(widget_position(corners_mm(held)[gesture.corner]) -
+                                      widget_position({held.place.x_mm, held.place.y_mm}));
+}
+
+void ReferenceView::show_cursor(const QPointF& position, bool picks) {
+    const bool drags = gesture_.drag != Drag::None;
+    if (drags && gesture_.drag == Drag::View)
+        setCursor(Qt::ClosedHandCursor);
+    else if (!drags && picks)
+        setCursor(Qt::CrossCursor);
+    else if (!drags && space_held_)
+        setCursor(Qt::OpenHandCursor);
+    else
+        setCursor(cursor_of(drags ? gesture_ : gesture_at(position)));
 }
 
 void ReferenceView::mousePressEvent(QMouseEvent* event) {
@@ -70,7 +96,15 @@ void ReferenceView::mousePressEvent(QMouseEvent* event) {
     if (moves_view)
         gesture_ = {.drag = Drag::View, .from = event->position(), .last = event->position()};
     else if (event->button() == Qt::LeftButton)
-        gesture_ = gesture_at(event->position());
+        begin_gesture(event->position());
+    show_cursor(event->position(), false);
+}
+
+/// What is moved is chosen; beside the pictures none is.
+void ReferenceView::begin_gesture(const QPointF& position) {
+    gesture_ = gesture_at(position);
+    if (gesture_.drag == Drag::Move) choose(gesture_.before.id);
+    if (gesture_.drag == Drag::View) choose(0);
 }
 
 void ReferenceView::drag_chosen(const QPointF& position, bool in_steps) {
@@ -89,6 +123,7 @@ void ReferenceView::drag_chosen(const QPointF& position, bool in_steps) {
 }
 
 void ReferenceView::mouseMoveEvent(QMouseEvent* event) {
+    show_cursor(event->position(), would_pick(event->modifiers()));
     if (gesture_.drag == Drag::None) return;
     const QPointF step = event->position() - std::exchange(gesture_.last, event->position());
     if (gesture_.drag == Drag::View) return move_view(step);
@@ -101,6 +136,7 @@ void ReferenceView::mouseReleaseEvent(QMouseEvent* event) {
     if ((event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) != 0) return;
     gesture_ = {};
     finish();
+    show_cursor(event->position(), would_pick(event->modifiers()));
 }
 
 void ReferenceView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -175,6 +211,11 @@ void ReferenceView::keyPressEvent(QKeyEvent* event) {
 void ReferenceView::keyReleaseEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) space_held_ = false;
     QWidget::keyReleaseEvent(event);
+}
+
+void ReferenceView::enterEvent(QEnterEvent* event) {
+    show_cursor(event->position(), would_pick(event->modifiers()));
+    QWidget::enterEvent(event);
 }
 
 void ReferenceView::focusOutEvent(QFocusEvent* event) {

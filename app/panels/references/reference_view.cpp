@@ -42,6 +42,7 @@ ReferenceView::ReferenceView(QWidget* parent) : QWidget(parent) {
            "Double click, 0: all of it"));
     say_board();
     setAcceptDrops(true);
+    setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     keep_own_keys(this, {Qt::Key_Plus, Qt::SHIFT | Qt::Key_Plus, Qt::Key_Minus, Qt::Key_0, Qt::Key_Left,
@@ -60,7 +61,7 @@ void ReferenceView::show_board(const document::SharedReferences& board) {
     const std::size_t before = board_ ? board_->references.size() : 0;
     const std::size_t count = board ? board->references.size() : 0;
     const bool is_laid =
-        count == before + 1 && document::find_reference(board_, board->references.back().id) == nullptr;
+        count > before && document::find_reference(board_, board->references.back().id) == nullptr;
     board_ = board;
     if (is_said_) proposed_.reset();
     put_together();

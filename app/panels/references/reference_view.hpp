@@ -80,6 +80,7 @@ class ReferenceView : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -96,9 +97,14 @@ class ReferenceView : public QWidget {
     QTransform to_widget() const;
     void put_together();
     void say_board();
+    bool would_pick(Qt::KeyboardModifiers keys) const;  ///< the left button
     bool picks(const QMouseEvent& event) const;
+    void begin_gesture(const QPointF& position);
     void pick(const QPointF& position);
-    Gesture gesture_at(const QPointF& position);
+    Gesture gesture_at(const QPointF& position) const;
+    QCursor cursor_of(const Gesture& gesture) const;
+    /// By what a press at that place does, or is doing.
+    void show_cursor(const QPointF& position, bool picks);
     void move_view(const QPointF& distance);
     void drag_chosen(const QPointF& position, bool in_steps);
     void place_chosen(const document::ReferencePlace& place);

@@ -34,6 +34,23 @@ void carry_out(const A& action, LivingPainting& painting) {
         put_in_hand(action, painting.value);
 }
 
+template <class A>
+bool begins_beside(const A& action) {
+    if constexpr (requires { action.beside; })
+        return action.beside;
+    else
+        return false;
+}
+
+/// Whether it is part of the step of another one of its kind, right before it.
+template <class A>
+bool joins_latest(const A& action, const UndoStep& step, History& history) {
+    if constexpr (requires { action.joins; })
+        return action.joins && history.join_latest(step);
+    else
+        return false;
+}
+
 /// An action that has passed check_action(). What cannot be done throws InputError and leaves the
 /// painting as it was, but for a stroke that ends.
 template <class A>
@@ -54,15 +71,13 @@ void perform(const A& action, LivingPainting& painting) {
         painting.end_stroke();
         Moment before = painting.moment();
         // Whether it changes anything only the stroke that it begins can tell.
-        if (kTraits.undo == UndoRole::Step && role_of(action) == UndoRole::MaybeStep) {
+        if (begins_beside(action)) {
             painting.awaited_step = {std::move(before), std::move(step)};
             apply(action, painting);
             return;
         }
         apply(action, painting);
-        if (role_of(action) == UndoRole::NoStep)
-            painting.history.join_latest();
-        else
+        if (!joins_latest(action, step, painting.history))
             painting.history.remember(std::move(before), std::move(step));
     }
 }

@@ -20,9 +20,10 @@ struct LayReference {  ///< above all others, opaque and in its colours
     ReferencePlace place;
     /// Not null; 1 to pigment::kMostPictureSide_px a side, pigment::kMostPicturePixels in all.
     SharedReferencePicture picture;
+    bool joins = false;  ///< the undo step before it, where a reference was laid there, too
 
     friend bool operator==(const LayReference& a, const LayReference& b) {
-        return a.name == b.name && a.place == b.place &&
+        return a.name == b.name && a.place == b.place && a.joins == b.joins &&
                (a.picture == b.picture || (a.picture && b.picture && *a.picture == *b.picture));
     }
 };
@@ -96,6 +97,9 @@ struct Table<LayReference> {
         "lay_reference", 14, step_name("Reference picture"),
         "lays a picture on the board of references, above all others. References are numbered from 1, "
         "in the order in which they come ([0086](decisions/0086-reference-board.md))");
+    static constexpr UndoRole undo_role(const LayReference& lay) {
+        return lay.joins ? UndoRole::MaybeStep : UndoRole::Step;
+    }
     static constexpr void fields(auto&& visit) {
         visit(Text<At<&LayReference::name>>{"name", core::Pattern<0>("name of a reference"),
                                             kMostReferenceName, Presence::Required});
@@ -104,6 +108,12 @@ struct Table<LayReference> {
             "png", "picture", Presence::Required,
             "a PNG file in base64: sRGB, with or without transparency, at most 32 768 pixels a side, "
             "100 million in all, 200 million on the board"});
+        visit(Truth<At<&LayReference::joins>>{
+            .key = "joins",
+            .name = "joins",
+            .presence = Presence::Optional,
+            .note = "part of the undo step before it, where that laid a reference, too",
+            .since = 15});
     }
 };
 

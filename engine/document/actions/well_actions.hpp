@@ -21,7 +21,7 @@ struct SqueezePaint {
     double volume_mm3 = 250.0;  ///< kLeastSqueeze_mm3 to kMostSqueeze_mm3
     double x_mm = 0.0;          ///< on the well
     double y_mm = 0.0;
-    bool joins = false;  ///< one undo step with the action before it, as of a set of tubes
+    bool joins = false;  ///< the undo step before it, where paint was squeezed out there, too
     friend bool operator==(const SqueezePaint&, const SqueezePaint&) = default;
 };
 struct CleanWell {  ///< wipes the mixing well bare, into the ledger
@@ -42,7 +42,7 @@ struct Table<SqueezePaint> {
                "paint out of the tube onto the mixing well, moved inwards where the heap would hang "
                "over the rim");
     static constexpr UndoRole undo_role(const SqueezePaint& squeeze) {
-        return squeeze.joins ? UndoRole::NoStep : UndoRole::Step;
+        return squeeze.joins ? UndoRole::MaybeStep : UndoRole::Step;
     }
     static constexpr void fields(auto&& visit) {
         using enum Presence;
@@ -54,11 +54,12 @@ struct Table<SqueezePaint> {
                                               0.0, kWellWidth_mm, Required, "on the well"});
         visit(Number<At<&SqueezePaint::y_mm>>{"y_mm", core::Pattern<0>("y of the squeezed paint"), "mm",
                                               0.0, kWellHeight_mm, Required, "on the well"});
-        visit(Truth<At<&SqueezePaint::joins>>{.key = "joins",
-                                              .name = "joins",
-                                              .presence = Optional,
-                                              .note = "one undo step with the event before it",
-                                              .since = 15});
+        visit(Truth<At<&SqueezePaint::joins>>{
+            .key = "joins",
+            .name = "joins",
+            .presence = Optional,
+            .note = "part of the undo step before it, where that squeezed out paint, too",
+            .since = 15});
     }
 };
 
