@@ -25,7 +25,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       brushes(studio, panels.brushes, panels.curves),
       brush_editing(studio, brushes, panels.curves),
       brush_shelf(studio, brushes, panels.brushes),
-      brush_bundles(studio, brushes),
+      brush_bundles(studio, brushes, brush_shelf),
       guides(studio, panels.guides),
       transform(studio, panels.brushes),
       undo(studio, panels.history, transform),

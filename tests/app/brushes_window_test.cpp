@@ -605,6 +605,33 @@ TEST_F(BrushLibrary, ABundleComesBackWithAllItsTools) {
     EXPECT_THAT(told(), HasSubstr("all tools of that bundle already"));
 }
 
+TEST_F(BrushLibrary, ABundleBringsItsTags) {
+    const QString bundle = QString::fromStdString((home_.path() / "mine.zip").string());
+    const auto tag = [&](const char* tool, const char* name, bool tagged) {
+        parts().brush_shelf.set_tag(QString::fromLatin1(tool), QString::fromLatin1(name), tagged);
+    };
+    tag("Mine", "grass", true);
+    tag("Fan 26", "grass", true);
+    tag("Fan 26", "sky", true);
+    parts().brush_bundles.export_to(bundle);
+    for (const char* tool : {"Mine", "Fan 26"})
+        tag(tool, "grass", false);
+    tag("Fan 26", "sky", false);
+    // Another tool has taken the name meanwhile.
+    brush::Preset other = brush::find_preset("Fan 26");
+    other.name = "Mine";
+    core::write_text_file(file("mine.json"), brush::preset_to_json(other));
+    parts().brushes.read();
+    parts().brush_bundles.import_from(bundle);
+    const std::vector<tools::BrushTag>& tags = parts().brush_shelf.tags();
+    ASSERT_EQ(tags.size(), 1U) << "no tool of the painter's own was under the sky";
+    EXPECT_EQ(tags[0].name, "grass");
+    ASSERT_EQ(tags[0].tools.size(), 2U);
+    EXPECT_NE(tags[0].tools[0], "Mine");
+    EXPECT_NE(listed(QString::fromStdString(tags[0].tools[0])), nullptr);
+    EXPECT_EQ(tags[0].tools[1], "Fan 26");
+}
+
 TEST_F(BrushLibrary, OfABadBundleNothingIsImported) {
     const auto bundle = home_.path() / "bad.zip";
     core::write_text_file(bundle, "no archive");

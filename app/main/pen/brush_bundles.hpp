@@ -1,4 +1,4 @@
-// Tools of the painter's own written into a bundle, and those of a bundle added to them.
+// Tools of the painter's own written into a bundle with their tags, and those of a bundle added to them.
 #pragma once
 
 #include "main/studio.hpp"
@@ -8,11 +8,12 @@
 namespace pastoso::main {
 
 class BrushJar;
+class BrushShelving;
 
 class BrushBundles : public QObject {
     Q_OBJECT
   public:
-    BrushBundles(Studio& studio, BrushJar& jar);
+    BrushBundles(Studio& studio, BrushJar& jar, BrushShelving& shelf);
 
     /// A file with anything wrong in it is told, and nothing of it is added.
     void import_from(const QString& path);
@@ -24,6 +25,7 @@ class BrushBundles : public QObject {
 
     Studio& studio_;
     BrushJar& jar_;
+    BrushShelving& shelf_;
 };
 
 }  // namespace pastoso::main

@@ -88,6 +88,13 @@ void BrushShelving::set_tag(const QString& tool, const QString& tag, bool tagged
     show();
 }
 
+void BrushShelving::add_tags(const std::vector<tools::BrushTag>& tags) {
+    for (const tools::BrushTag& tag : tags)
+        for (const std::string& tool : tag.tools)
+            tools::set_tag(tool, tag.name, true, shelf_);
+    show();
+}
+
 void BrushShelving::ask_tag(const QString& tool) {
     bool accepted = false;
     const QString typed = QInputDialog::getText(&studio_.window(), tr("New tag"), tr("Name of the tag:"),

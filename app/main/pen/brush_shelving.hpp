@@ -5,6 +5,8 @@
 #include "main/studio.hpp"
 #include "tools/brush_shelf.hpp"
 
+#include <vector>
+
 #include <QObject>
 
 namespace pastoso::panels {
@@ -27,6 +29,10 @@ class BrushShelving : public QObject {
 
     /// A tag of blanks is told.
     void set_tag(const QString& tool, const QString& tag, bool tagged);
+
+    const std::vector<tools::BrushTag>& tags() const { return shelf_.tags; }
+    /// Gives tools these tags besides those that they have.
+    void add_tags(const std::vector<tools::BrushTag>& tags);
 
   private:
     void note(const tools::Hand& hand);
