@@ -22,13 +22,14 @@ class HastyPainter {
     explicit HastyPainter(std::uint32_t seed) : seed_(seed) {}
 
     /// What is done next: a stroke as a rule, now and then Undo, Redo, DryNow, other paint, the well,
-    /// layers, selections, fills, textures, tracing pictures.
+    /// layers, selections, masking, fills, textures, tracing pictures, another canvas. Nothing that is
+    /// refused: Kill expects all of it in the recording.
     std::vector<Action> next() {
         if (!began_) {
             began_ = true;
             return {UseMedium{"soft-body acrylic"}, TiltCanvas{50, 90}, TakeBrush{"flat", 8, 1}, dip()};
         }
-        const int what = choice(24);
+        const int what = choice(31);
         if (what < 3) return std::vector<Action>(static_cast<std::size_t>(1 + choice(4)), Undo{});
         if (what == 3) return {Redo{}};
         if (what == 4) return {DryNow{}};
@@ -53,6 +54,12 @@ class HastyPainter {
         if (what == 20) return {margin()};
         if (what == 21) return {choice(2) == 0 ? fill() : texture()};
         if (what == 12 && choice(3) == 0) return {FlattenLayers{}};
+        if (what == 24 || what == 25) return {masking()};
+        if (what == 26) return {distortion()};
+        if (what == 27) return {SetLayer{1, {.name = "Paint", .bare_locked = choice(2) == 0}}};
+        if (what == 28) return {other_canvas()};
+        if (what == 29) return {squeezed(false), squeezed(true), squeezed(true)};
+        if (what == 30) return stroke(Surface::Canvas, true);
         return stroke(what == 8 ? Surface::Well : Surface::Canvas);
     }
 
@@ -72,6 +79,42 @@ class HastyPainter {
         if (which == 1) return ShrinkSelection{width_mm};
         if (which == 2) return BorderSelection{width_mm};
         return SelectSimilarColour{60.0 * uniform(), 40.0 * uniform(), 20.0 * uniform()};
+    }
+
+    Action masking() {
+        const int which = choice(6);
+        if (which == 0) return MaskSelection{};
+        if (which == 1) return SelectMasked{};
+        if (which == 2) return PeelMasking{};
+        MaskStripe stripe{{{40.0 * uniform(), 30.0 * uniform()}, {20.0 + 40.0 * uniform(), 20}}};
+        stripe.width_mm = 1.0 + 9.0 * uniform();
+        stripe.straight_ends = which == 3;
+        stripe.peels = which == 4;
+        return stripe;
+    }
+
+    Action distortion() {
+        return DistortLayer{1,
+                            {.corner = {10, 10},
+                             .width_mm = 30,
+                             .height_mm = 20,
+                             .upper_left = {10.0 + 4.0 * uniform(), 10},
+                             .upper_right = {40, 10.0 - 4.0 * uniform()},
+                             .lower_right = {40.0 + 4.0 * uniform(), 30},
+                             .lower_left = {10, 30.0 + 4.0 * uniform()}}};
+    }
+
+    /// ResizeCanvas makes it as large as before, now and then.
+    Action other_canvas() {
+        const int which = choice(4);
+        if (which == 0) return RotateCanvas{20.0 * uniform() - 10.0, choice(2) == 0};
+        if (which == 1) return ScaleCanvas{0.8, 1.25};
+        if (which == 2) return ScaleCanvas{1.25, 0.8};
+        return TurnCanvas{{choice(2) == 0, choice(4)}};
+    }
+
+    SqueezePaint squeezed(bool joins) {
+        return {{{{"PW6", 1.0}}}, 50.0, 20.0 + 60.0 * uniform(), 60.0, joins};
     }
 
     Action fill() {
@@ -103,9 +146,11 @@ class HastyPainter {
         return load;
     }
 
-    std::vector<Action> stroke(Surface surface) {
+    /// One that begins up to 30 mm beside the canvas comes in, or not.
+    std::vector<Action> stroke(Surface surface, bool beside = false) {
         std::vector<Action> actions;
-        const double x_mm = 50.0 * uniform(), y_mm = 40.0 * uniform();
+        const double x_mm = beside ? -1.0 - 29.0 * uniform() : 50.0 * uniform();
+        const double y_mm = 40.0 * uniform();
         const int samples = 5 + choice(60);
         for (int i = 0; i < samples; ++i) {
             brush::PenSample sample;
@@ -114,7 +159,7 @@ class HastyPainter {
             sample.y_mm = y_mm + 3.0 * uniform();
             sample.pressure = 0.3 + 0.5 * uniform();
             if (i == 0)
-                actions.emplace_back(PenDown{sample, surface});
+                actions.emplace_back(PenDown{sample, surface, beside});
             else
                 actions.emplace_back(PenMove{sample});
         }
