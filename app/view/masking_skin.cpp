@@ -11,7 +11,7 @@ namespace {
 
 /// From the edge of fluid, over which it rounds off.
 constexpr int kRim_px = 4;
-/// Of the fibres of tape, along and across.
+/// How long a fibre of tape is; it is one pixel thick.
 constexpr int kFibre_px = 24;
 constexpr std::uint32_t kFibreSeed = 87;
 
