@@ -74,10 +74,11 @@ class HastyPainter {
 
     Action margin() {
         const double width_mm = 0.1 + 4.0 * uniform();
-        const int which = choice(4);
+        const int which = choice(5);
         if (which == 0) return GrowSelection{width_mm};
         if (which == 1) return ShrinkSelection{width_mm};
         if (which == 2) return BorderSelection{width_mm};
+        if (which == 3) return FeatherSelection{width_mm};
         return SelectSimilarColour{60.0 * uniform(), 40.0 * uniform(), 20.0 * uniform()};
     }
 
