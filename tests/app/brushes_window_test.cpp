@@ -5,6 +5,7 @@
 #include "core/user_data.hpp"
 #include "document/actions/actions.hpp"
 #include "main/window_parts.hpp"
+#include "panels/layers/layer_tree.hpp"
 #include "panels/paint/load_bar.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "panels/pen/brush_panel.hpp"
@@ -373,6 +374,17 @@ TEST_F(OwnBrush, IsRenamedAndThrownAway) {
     EXPECT_EQ(hand().brush, "Yours") << "what is in hand stays";
     stroke();
     EXPECT_GT(volume_mm3(), 0.0);
+}
+
+TEST_F(OwnBrush, IsNamedByF2InTheListAndNoLayerIs) {
+    click(QStringLiteral("Mine"));
+    answer_name(QStringLiteral("Yours"));
+    QTest::keyClick(&list(), Qt::Key_F2);
+    EXPECT_EQ(hand().brush, "Yours");
+    click(QStringLiteral("Fan 26"));
+    QTest::keyClick(&list(), Qt::Key_F2);
+    EXPECT_EQ(hand().brush, "Fan 26") << "what ships keeps its name";
+    EXPECT_EQ(window().findChild<panels::LayerTree*>()->viewport()->findChild<QLineEdit*>(), nullptr);
 }
 
 TEST_F(OwnBrush, FollowsItsFileAndSurvivesABadOne) {

@@ -88,6 +88,8 @@ BrushJar::BrushJar(Studio& studio, panels::BrushPanel* brushes, panels::CurvesPa
     });
     studio_.commands().on(Command::SaveBrush, [this](bool) { save_brush(); });
     studio_.commands().on(Command::RenameBrush, [this](bool) { rename_brush(); });
+    connect(brushes_, &panels::BrushPanel::rename_wanted,
+            studio_.commands().action(Command::RenameBrush), &QAction::trigger);
     studio_.commands().on(Command::DeleteBrush, [this](bool) { delete_brush(); });
     connect(curves_, &panels::CurvesPanel::edited, this, [this](const brush::Preset& preset) {
         studio_.easel().change_brush(preset);

@@ -2,7 +2,9 @@
 
 #include "appearance/screen_colours.hpp"
 #include "appearance/shown_names.hpp"
+#include "panels/parts/section.hpp"
 
+#include <QKeyEvent>
 #include <QPixmap>
 
 namespace pastoso::panels {
@@ -30,6 +32,7 @@ QString shown_name(const BrushEntry& entry) {
 BrushList::BrushList(QWidget* parent) : ChoiceList(parent) {
     setIconSize(kThumbnailSize);
     let_arrange();
+    keep_own_keys(this, {Qt::Key_F2});
     setContextMenuPolicy(Qt::CustomContextMenu);
     connect(this, &ChoiceList::taken, this, [this](const QListWidgetItem* item) {
         if (entry_of(item) != kNoEntry) Q_EMIT entry_clicked(entry_of(item));
@@ -115,6 +118,11 @@ void BrushList::set_thumbnail(const QString& name, const QImage& image) {
 void BrushList::draw_thumbnail(QListWidgetItem& item) {
     const auto image = item.data(kThumbnailRole).value<QImage>();
     if (!image.isNull()) item.setIcon(QIcon(QPixmap::fromImage(appearance::shown(image))));
+}
+
+void BrushList::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_F2) return void(Q_EMIT rename_wanted());
+    ChoiceList::keyPressEvent(event);
 }
 
 void BrushList::showEvent(QShowEvent* event) {

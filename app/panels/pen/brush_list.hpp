@@ -51,8 +51,11 @@ class BrushList : public ChoiceList {
     void entry_clicked(int entry);
     /// The entry has come into view and has no thumbnail yet; once for each.
     void thumbnail_wanted(int entry);
+    /// The tool that is marked is to be given another name.
+    void rename_wanted();
 
   protected:
+    void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void paintEvent(QPaintEvent* event) override;

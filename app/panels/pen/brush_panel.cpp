@@ -63,6 +63,7 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
     list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // all that is left, no more
     connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
     connect(list_, &BrushList::thumbnail_wanted, this, &BrushPanel::want_thumbnail);
+    connect(list_, &BrushList::rename_wanted, this, &BrushPanel::rename_wanted);
     // Only when the list is through with the drop may its entries be made anew.
     connect(list_, &BrushList::arranged, this, &BrushPanel::tell_arranged, Qt::QueuedConnection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BrushPanel::offer_tags);
