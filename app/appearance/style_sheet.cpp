@@ -53,6 +53,7 @@ QAbstractSpinBox { padding: 3px 4px; }
 QAbstractSpinBox[buttonSymbols="UpDownArrows"]::up-button, QAbstractSpinBox[buttonSymbols="UpDownArrows"]::down-button { border: none; width: 16px; }
 QAbstractSpinBox[buttonSymbols="UpDownArrows"]::up-arrow { image: url("<icons>/box_up.svg"); width: 9px; height: 9px; }
 QAbstractSpinBox[buttonSymbols="UpDownArrows"]::down-arrow { image: url("<icons>/box_down.svg"); width: 9px; height: 9px; }
+QInputDialog > QLineEdit { min-width: 280px; }
 QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton { background: <button>; border: 1px solid <line>; border-radius: 4px; padding: 5px 14px; }
 QPushButton:hover { background: <hovered>; }

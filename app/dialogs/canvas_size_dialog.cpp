@@ -103,7 +103,6 @@ CanvasSizeDialog::CanvasSizeDialog(const document::CanvasSettings& canvas, const
 QDoubleSpinBox* CanvasSizeDialog::add_side(const QString& name, double value_mm) {
     auto* box = new UnitBox(read_length_mm, name, tr(" mm"));
     box->setRange(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setValue(value_mm);
     connect(box, &QDoubleSpinBox::valueChanged, this, &CanvasSizeDialog::show_outcome);
     return box;

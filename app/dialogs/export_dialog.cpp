@@ -66,7 +66,6 @@ QComboBox* ExportDialog::add_choice(const char* name, const QString& hint) {
 QDoubleSpinBox* ExportDialog::add_number(const Number& number, double& value) {
     auto* box = new PlainNumber;
     box->setObjectName(QString::fromLatin1(number.name));
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setRange(number.least, number.most);
     box->setDecimals(number.decimals);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -112,7 +111,6 @@ QWidget* ExportDialog::make_path_row() {
 void ExportDialog::make_picture_boxes() {
     quality_ = new QSpinBox;
     quality_->setObjectName(QStringLiteral("quality"));
-    quality_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     quality_->setRange(1, 100);
     quality_->setValue(settings_.quality);
     quality_->setToolTip(tr("1 is a small file, 100 a fine picture"));
@@ -147,7 +145,6 @@ QWidget* ExportDialog::make_size_row() {
     connect(scale_, &QDoubleSpinBox::valueChanged, this, &ExportDialog::show_size);
     width_ = new QSpinBox;
     width_->setObjectName(QStringLiteral("width"));
-    width_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     width_->setSuffix(tr(" px wide"));
     width_->setToolTip(tr("The width that the scale comes to, or the scale that gives this width"));
     connect(width_, &QSpinBox::valueChanged, this, [this](int width_px) {

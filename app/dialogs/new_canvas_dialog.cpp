@@ -34,11 +34,6 @@ QString shown_words(double px_per_mm) {
     return NewCanvasDialog::tr("Every bristle and thread shows close up, in fine brushes as well.");
 }
 
-QDoubleSpinBox* without_buttons(QDoubleSpinBox* box) {
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    return box;
-}
-
 }  // namespace
 
 NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, double live_px_per_mm,
@@ -51,7 +46,7 @@ NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, doubl
     setWindowTitle(tr("New canvas"));
     width_ = add_side(QStringLiteral("width_mm"), proposal.width_mm);
     height_ = add_side(QStringLiteral("height_mm"), proposal.height_mm);
-    density_ = without_buttons(new UnitBox(read_px_per_mm, QStringLiteral("px_per_mm"), tr(" px/mm")));
+    density_ = new UnitBox(read_px_per_mm, QStringLiteral("px_per_mm"), tr(" px/mm"));
     density_->setRange(document::kMinPxPerMm, document::kMaxPxPerMm);
     density_->setValue(proposal.px_per_mm);
     density_->setToolTip(tr("Dots per inch may be typed as well: 127 dpi"));
@@ -87,7 +82,7 @@ NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, doubl
 }
 
 QDoubleSpinBox* NewCanvasDialog::add_side(const QString& name, double value_mm) {
-    QDoubleSpinBox* box = without_buttons(new UnitBox(read_length_mm, name, tr(" mm")));
+    auto* box = new UnitBox(read_length_mm, name, tr(" mm"));
     box->setRange(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm);
     box->setValue(value_mm);
     box->setToolTip(tr("Other units may be typed as well: 50 cm, 20 in"));

@@ -83,7 +83,6 @@ ScaleDialog::ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent
 
 ScaleDialog::Number ScaleDialog::number(QDoubleSpinBox* box, double value) {
     box->setRange(document::kLeastCanvasScale * value, document::kMostCanvasScale * value);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setValue(value);
     return {box, value};
 }

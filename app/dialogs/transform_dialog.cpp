@@ -94,7 +94,6 @@ QDoubleSpinBox* TransformDialog::add_number(QFormLayout* form, const QString& na
     box->setObjectName(name);
     box->setRange(least, most);
     box->setDecimals(kDecimals);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setSuffix(unit);
     connect(box, &QDoubleSpinBox::valueChanged, this, &TransformDialog::read_numbers);
     form->addRow(words, box);

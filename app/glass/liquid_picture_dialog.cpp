@@ -36,7 +36,6 @@ QSpinBox* number(const char* name, int least, int most, int value, const QString
     box->setObjectName(QString::fromLatin1(name));
     box->setRange(least, most);
     box->setValue(value);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setToolTip(hint);
     return box;
 }

@@ -268,6 +268,18 @@ TEST_F(StartWindow, ANewCanvasIsTypedInAnyUnit) {
     EXPECT_THAT(summary.toStdString(), HasSubstr("2500 × 1000 pixels, 127 dpi"));
 }
 
+TEST_F(StartWindow, ALengthGrowsByItsArrow) {
+    dialogs::NewCanvasDialog dialog(canvas_settings(), 6.0);
+    dialog.show();
+    wait_until_shown(dialog);
+    for (const char* name : {"width_mm", "height_mm", "px_per_mm"}) {
+        auto* box = dialog.findChild<QDoubleSpinBox*>(QString::fromLatin1(name));
+        const double before = box->value();
+        QTest::mouseClick(box, Qt::LeftButton, {}, {box->width() - 8, box->height() / 4});
+        EXPECT_GT(box->value(), before) << name;
+    }
+}
+
 TEST_F(StartWindow, ADialogGrowsWithItsWords) {
     dialogs::NewCanvasDialog dialog(canvas_settings(), 6.0);
     dialog.show();
