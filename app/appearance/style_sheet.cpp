@@ -15,7 +15,7 @@ QLabel#canvas_note { background: <window>; color: <text>; border: 1px solid <lin
 QFrame#message_bar { background: <window>; border: 1px solid <warning>; border-left: 5px solid <warning>; border-radius: 4px; }
 QToolBar { background: <window>; border: none; border-bottom: 1px solid <edge>; spacing: 4px; padding: 4px; }
 QMenuBar { background: <window>; border-bottom: 1px solid <edge>; }
-QMenuBar::item { padding: 5px 10px; background: transparent; }
+QMenuBar::item { padding: 5px 7px; background: transparent; }
 QMenuBar::item:selected { background: <button>; border-radius: 4px; }
 QMenu { background: <window>; border: 1px solid <line>; padding: 4px; }
 QMenu::item { padding: 5px 28px 5px 22px; border-radius: 3px; }

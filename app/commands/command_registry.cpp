@@ -30,6 +30,8 @@ void show_keys(QAction* action, const QList<QKeySequence>& keys) {
 CommandRegistry::CommandRegistry(QObject* owner) {
     for (const CommandText& text : command_list()) {
         auto* action = new QAction(words_of(text.words), owner);
+        // Qt would leave "(N)" of mnemonics that stand behind the words.
+        action->setIconText(plain_words(text.words));
         action->setStatusTip(words_of(text.hint));
         action->setCheckable(text.checkable);
         action->setIcon(appearance::icon(QString::fromUtf8(name_of(text.command))));

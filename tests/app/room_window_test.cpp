@@ -14,6 +14,8 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLayout>
+#include <QMenuBar>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
@@ -252,6 +254,29 @@ TEST_F(RoomWindow, TheTabsOfAllPanelsKeepTheirNames) {
                 << bar->tabText(tab).toStdString();
     }
     EXPECT_GT(bars, 0);
+}
+
+TEST_F(RoomWindow, TheMenuBarHasRoomForAllItsMenus) {
+    for (const char* language : kLanguages) {
+        open_small(language);
+        const QMenuBar* bar = window().menuBar();
+        for (QAction* menu : bar->actions()) {
+            if (!menu->isVisible()) continue;
+            EXPECT_TRUE(bar->rect().contains(bar->actionGeometry(menu)))
+                << language << ": " << menu->text().toStdString();
+        }
+    }
+}
+
+/// In scripts without letters for mnemonics, menus have a letter in brackets behind their words.
+TEST_F(RoomWindow, ButtonsHaveNoLettersOfMenus) {
+    const QRegularExpression letter(QStringLiteral("\\([A-Z]\\)$"));
+    for (const char* language : {"ja", "zh_TW"}) {
+        open_small(language);
+        EXPECT_TRUE(action(Command::GuideHandles)->text().remove(QLatin1Char('&')).contains(letter));
+        for (const QToolButton* button : window().findChildren<QToolButton*>())
+            EXPECT_FALSE(button->text().contains(letter)) << button->text().toStdString();
+    }
 }
 
 TEST_F(RoomWindow, TimesHaveNoLettersOfOtherLanguages) {
