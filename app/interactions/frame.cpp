@@ -2,6 +2,7 @@
 
 #include "appearance/cursors.hpp"
 #include "appearance/screen_colours.hpp"
+#include "core/check.hpp"
 #include "interactions/event_place.hpp"
 
 #include <cmath>
@@ -42,13 +43,13 @@ tools::TransformFrame as_it_was(const tools::TransformFrame& frame) {
     return {.corner_mm = frame.corner_mm, .size_mm = frame.size_mm};
 }
 
-/// Bare canvas in place of the paint.
-QImage veil_of(QImage picture) {
-    constexpr QColor kBareCanvas(233, 230, 222);
-    QPainter painter(&picture);
-    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
-    painter.fillRect(picture.rect(), kBareCanvas);
-    return picture;
+/// What is below, wherever there is paint at all: a pixel that is half covered shows paint, too.
+QImage veil_of(const QImage& picture, const QImage& below) {
+    QImage veil = below.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < veil.height(); ++y)
+        for (int x = 0; x < veil.width(); ++x)
+            if (qAlpha(picture.pixel(x, y)) == 0) veil.setPixel(x, y, qRgba(0, 0, 0, 0));
+    return veil;
 }
 
 }  // namespace
@@ -62,13 +63,15 @@ void Frame::show(std::optional<tools::TransformFrame> frame) {
     frame_ = std::move(frame);
     if (!frame_) {
         drag_.reset();
-        picture_ = shown_ = veil_ = {};
+        picture_ = below_ = shown_ = veil_ = {};
     }
     canvas_.refresh();
 }
 
-void Frame::show_picture(const QImage& picture) {
+void Frame::show_picture(const QImage& picture, const QImage& below) {
+    PASTOSO_CHECK(picture.size() == below.size());
     picture_ = picture;
+    below_ = below;
     take_screen_colours();
     canvas_.refresh();
 }
@@ -76,7 +79,7 @@ void Frame::show_picture(const QImage& picture) {
 void Frame::take_screen_colours() {
     if (picture_.isNull()) return;
     shown_ = appearance::shown_in_painting(picture_);
-    veil_ = appearance::shown_in_painting(veil_of(picture_));
+    veil_ = appearance::shown_in_painting(veil_of(picture_, below_));
 }
 
 tools::FrameHold Frame::hold_at(const input::PointerEvent& event) const {
@@ -160,7 +163,7 @@ void Frame::draw(const view::Overlay& overlay) {
 
 /// The paint where it would come to lie.
 void Frame::draw_picture(const view::Overlay& overlay) const {
-    constexpr double kVeil = 0.75, kPaint = 0.85;
+    constexpr double kVeil = 1.0, kPaint = 0.85;
     if (picture_.isNull() || *frame_ == as_it_was(*frame_)) return;
     draw_in(overlay, as_it_was(*frame_), veil_, kVeil);
     draw_in(overlay, *frame_, shown_, kPaint);

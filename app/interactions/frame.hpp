@@ -21,8 +21,8 @@ class Frame : public QObject, public view::Interaction {
     const std::optional<tools::TransformFrame>& shown() const { return frame_; }
 
     /// What is drawn in the frame, from corner to corner, however it is dragged: its paint, flat. Where
-    /// it lies as yet it is veiled.
-    void show_picture(const QImage& picture);
+    /// it lies as yet `below` covers it, as large: what would be seen there without it.
+    void show_picture(const QImage& picture, const QImage& below);
 
     view::Took press(const input::PointerEvent& event) override;
     void drag(const input::PointerEvent& event) override;
@@ -60,7 +60,7 @@ class Frame : public QObject, public view::Interaction {
     std::optional<tools::TransformFrame> frame_;
     std::optional<Drag> drag_;
     tools::FrameHold under_;  ///< the pointer
-    QImage picture_;
+    QImage picture_, below_;
     QImage shown_, veil_;  ///< in the colours of the screen
 };
 

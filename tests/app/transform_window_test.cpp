@@ -159,6 +159,34 @@ TEST_F(TransformWindow, TheFrameShowsThePaintWhereItWouldLie) {
     EXPECT_EQ(light_at(picture(), painted), light_at(before, painted));
 }
 
+TEST_F(TransformWindow, NoShadeOfThePaintIsLeftWhereItLay) {
+    // Of so many pixels around a place, whose weave is shaded.
+    const auto mean_red = [&](const glm::dvec2& place_mm) {
+        constexpr int kSide = 9;
+        const QImage seen = picture();
+        const QPoint middle =
+            (canvas().devicePixelRatioF() * canvas().widget_position(place_mm)).toPoint();
+        int sum = 0;
+        for (int i = 0; i < kSide * kSide; ++i)
+            sum += qRed(seen.pixel(middle + QPoint(i % kSide - kSide / 2, i / kSide - kSide / 2)));
+        return static_cast<double>(sum) / (kSide * kSide);
+    };
+    const glm::dvec2 painted{15.0, 12.0}, beside{15.0, 24.0};
+    const double lower = mean_red(painted), bare = mean_red(beside);
+    begin();
+    drag(middle(), middle() + glm::dvec2(20.0, 15.0));
+    EXPECT_NEAR(mean_red(painted), bare, 15.0);
+    key(Qt::Key_Escape);
+    give(Command::AddLayer);
+    studio().easel().choose_paint({{{"PW6", 1.0}}, 1.0});
+    mouse_stroke(line_mm({10.0, 10.0}, {20.0, 14.0}));
+    settle();
+    EXPECT_GT(mean_red(painted), lower + 60.0) << "white lies on it";
+    begin();
+    drag(middle(), middle() + glm::dvec2(20.0, 15.0));
+    EXPECT_LT(mean_red(painted), lower + 30.0) << "the layer below is seen again";
+}
+
 TEST_F(TransformWindow, EscapeLeavesAllBits) {
     const std::uint64_t before = hash();
     const std::size_t events = events_posted();

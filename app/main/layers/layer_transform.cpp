@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QPainter>
 #include <QStatusBar>
 
 namespace pastoso::main {
@@ -34,19 +35,53 @@ QString problem_of(const document::LayerStack& layers) {
     }
 }
 
-/// The part of the layer's picture that is in the frame, as far as it is selected.
-QImage picture_in(const tools::TransformFrame& frame, const document::Snapshot& painting) {
-    const film::FilmState& film = painting.active != nullptr ? *painting.active : painting.film;
+/// A layer's paint, of the whole canvas.
+QImage picture_of(const film::FilmState& film, const pigment::Bands& ground) {
     const int longer = std::max(film.shape.width, film.shape.height);
     const double scale = std::min(1.0, static_cast<double>(kPicture_px) / longer);
-    const session::LayerPicture found = session::layer_picture(
-        film, painting.ground, static_cast<int>(std::lround(scale * film.shape.width)),
-        static_cast<int>(std::lround(scale * film.shape.height)));
-    QImage picture = appearance::view_of_rgba(found.rgba, found.width, found.height).copy();
-    const double cells_x = static_cast<double>(film.shape.width) / found.width;
-    const double cells_y = static_cast<double>(film.shape.height) / found.height;
-    for (int y = 0; painting.selection != nullptr && y < found.height; ++y)
-        for (int x = 0; x < found.width; ++x) {
+    const session::LayerPicture found =
+        session::layer_picture(film, ground, static_cast<int>(std::lround(scale * film.shape.width)),
+                               static_cast<int>(std::lround(scale * film.shape.height)));
+    return appearance::view_of_rgba(found.rgba, found.width, found.height)
+        .convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+QImage active_picture(const document::Snapshot& painting) {
+    return picture_of(painting.active != nullptr ? *painting.active : painting.film, painting.ground);
+}
+
+/// The canvas with all other layers that are shown; what is clipped to the active one goes with it.
+QImage picture_without_active(const document::Snapshot& painting, const QSize& size) {
+    constexpr QColor kBareCanvas(233, 230, 222);
+    const std::vector<document::Layer>& layers = painting.layers->layers;
+    QImage picture(size, QImage::Format_ARGB32_Premultiplied);
+    picture.fill(kBareCanvas);
+    QPainter painter(&picture);
+    for (std::size_t place = 0; place < layers.size(); ++place) {
+        const document::LayerLook look = document::effective_look(*painting.layers, place);
+        const auto base = document::clipped_to(*painting.layers, place);
+        const bool goes = base && layers[*base].inactive == nullptr;
+        if (layers[place].inactive == nullptr || !look.visible || goes) continue;
+        QImage paint = picture_of(*layers[place].inactive, painting.ground);
+        if (base) {
+            QPainter clip(&paint);
+            clip.setCompositionMode(QPainter::CompositionMode_DestinationIn);
+            clip.drawImage(0, 0, picture_of(*layers[*base].inactive, painting.ground));
+        }
+        painter.setOpacity(look.opacity);
+        painter.drawImage(0, 0, paint);
+    }
+    painter.end();
+    return picture;
+}
+
+/// As far as it is selected.
+QImage selected_part(QImage picture, const document::Snapshot& painting) {
+    const grid::Shape& shape = painting.film.shape;
+    const double cells_x = static_cast<double>(shape.width) / picture.width();
+    const double cells_y = static_cast<double>(shape.height) / picture.height();
+    for (int y = 0; painting.selection != nullptr && y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
             const std::uint8_t share = painting.selection->at(static_cast<int>((x + 0.5) * cells_x),
                                                               static_cast<int>((y + 0.5) * cells_y));
             if (share == grid::kWhole) continue;
@@ -54,13 +89,21 @@ QImage picture_in(const tools::TransformFrame& frame, const document::Snapshot& 
             colour.setAlpha(colour.alpha() * share / grid::kWhole);
             picture.setPixelColor(x, y, colour);
         }
-    const auto pixel = [&](double place_mm, double cells) {
-        return static_cast<int>(std::lround(place_mm / film.cell_mm / cells));
+    return picture;
+}
+
+/// What is selected of a picture of the whole canvas, as far as it is in the frame.
+QImage part_in(const tools::TransformFrame& frame, const document::Snapshot& painting,
+               const QImage& picture) {
+    const auto pixel = [&](double place_mm, int pixels, int cells) {
+        return static_cast<int>(std::lround(place_mm / painting.film.cell_mm * pixels / cells));
     };
-    const QPoint first(pixel(frame.corner_mm.x, cells_x), pixel(frame.corner_mm.y, cells_y));
-    const QSize size(pixel(frame.size_mm.x, cells_x), pixel(frame.size_mm.y, cells_y));
-    return picture.copy(QRect(first, size.expandedTo({1, 1})))
-        .convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    const grid::Shape& shape = painting.film.shape;
+    const QPoint first(pixel(frame.corner_mm.x, picture.width(), shape.width),
+                       pixel(frame.corner_mm.y, picture.height(), shape.height));
+    const QSize size(pixel(frame.size_mm.x, picture.width(), shape.width),
+                     pixel(frame.size_mm.y, picture.height(), shape.height));
+    return selected_part(picture, painting).copy(QRect(first, size.expandedTo({1, 1})));
 }
 
 }  // namespace
@@ -103,7 +146,10 @@ void LayerTransform::begin() {
 
 void LayerTransform::show(const tools::TransformFrame& frame, const document::Snapshot& painting) {
     studio_.on_canvas().frame.show(frame);
-    studio_.on_canvas().frame.show_picture(picture_in(frame, painting));
+    const QImage active = active_picture(painting);
+    studio_.on_canvas().frame.show_picture(
+        part_in(frame, painting, active),
+        part_in(frame, painting, picture_without_active(painting, active.size())));
     const document::CanvasSettings& canvas = painting.bare->settings;
     open_dialog(frame, {canvas.width_mm, canvas.height_mm});
     studio_.canvas().setFocus();
