@@ -1,5 +1,6 @@
 #include "dialogs/export_summary.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "core/error.hpp"
 #include "core/looking.hpp"
 #include "core/memory.hpp"
@@ -29,11 +30,11 @@ bool is_folder_format(const ExportSettings& settings) {
 
 /// A length in mm without needless digits.
 QString length(double mm) {
-    return QString::number(in_hundredths(mm));
+    return appearance::shown_number(in_hundredths(mm));
 }
 
 QString duration(double seconds) {
-    if (seconds < 59.95) return tr("%1 s").arg(seconds, 0, 'f', 1);
+    if (seconds < 59.95) return tr("%1 s").arg(appearance::shown_number(seconds, 1));
     const auto whole = static_cast<long long>(std::llround(seconds));
     if (whole < 3600) return tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
     return tr("%1 h %2 min").arg(whole / 3600).arg(whole / 60 % 60);

@@ -1,6 +1,7 @@
 #include "dialogs/repaint_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "appearance/terms.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
@@ -20,7 +21,7 @@ namespace pastoso::dialogs {
 namespace {
 
 QString gibibytes(std::size_t bytes) {
-    return QString::number(static_cast<double>(bytes) / (1 << 30), 'f', 1);
+    return appearance::shown_number(static_cast<double>(bytes) / (1 << 30), 1);
 }
 
 /// What the engine says of it.

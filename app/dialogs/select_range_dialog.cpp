@@ -1,5 +1,7 @@
 #include "dialogs/select_range_dialog.hpp"
 
+#include "appearance/shown_number.hpp"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -63,10 +65,9 @@ SelectedRange SelectRangeDialog::chosen() const {
 
 void SelectRangeDialog::show_outcome(double share, bool nothing) {
     const double percent = 100.0 * share;
-    outcome_->setText(
-        nothing
-            ? tr("Nothing is there to be selected.")
-            : tr("Then %1 % of the canvas is selected.").arg(percent, 0, 'f', percent < 9.95 ? 1 : 0));
+    outcome_->setText(nothing ? tr("Nothing is there to be selected.")
+                              : tr("Then %1 % of the canvas is selected.")
+                                    .arg(appearance::shown_number(percent, percent < 9.95 ? 1 : 0)));
 }
 
 }  // namespace pastoso::dialogs

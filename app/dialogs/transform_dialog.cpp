@@ -1,6 +1,7 @@
 #include "dialogs/transform_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "dialogs/length_box.hpp"
 #include "document/actions/actions.hpp"
 
@@ -145,7 +146,7 @@ void TransformDialog::show_outcome() {
     const double percent = kPercent * share;
     QString words = share == 1.0 ? tr("The paint keeps its thickness and its amount.")
                                  : tr("The paint keeps its thickness: %1 % of it will be there.")
-                                       .arg(percent, 0, 'f', percent < 9.95 ? 1 : 0);
+                                       .arg(appearance::shown_number(percent, percent < 9.95 ? 1 : 0));
     if (reaches_beyond(frame_, canvas_mm_))
         words += QLatin1Char(' ') + tr("What comes beyond the canvas is wiped off.");
     outcome_->setText(words);

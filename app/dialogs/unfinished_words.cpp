@@ -1,5 +1,6 @@
 #include "dialogs/unfinished_words.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "appearance/shown_time.hpp"
 #include "dialogs/recovery_dialog.hpp"
 
@@ -29,8 +30,8 @@ QString unfinished_words(const journal::Unfinished& painting) {
     return RecoveryDialog::tr("%1\n%2\n%3 × %4 mm, %n change(s) not saved", nullptr,
                               static_cast<int>(painting.changes))
         .arg(unfinished_name(painting), time_of(painting))
-        .arg(painting.canvas.width_mm)
-        .arg(painting.canvas.height_mm);
+        .arg(appearance::shown_number(painting.canvas.width_mm))
+        .arg(appearance::shown_number(painting.canvas.height_mm));
 }
 
 QPixmap unfinished_picture(const journal::Unfinished& painting, int side_px, double pixel_ratio) {

@@ -1,5 +1,6 @@
 #include "glass/glass_page.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "glass/glass_view.hpp"
 #include "panels/parts/section.hpp"
 
@@ -91,11 +92,12 @@ void GlassPage::show_time(const session::LiquidStatus& status, const QString& am
     time_->setRange(0, std::max(status.last_step, 1));
     time_->setPageStep(std::max(1, status.last_step / 20));
     if (!time_->isSliderDown()) time_->setValue(status.step);
-    time_words_->setText(status.busy         ? busy_
-                         : status.shows_last ? tr("%1 s").arg(status.last_s, 0, 'f', decimals)
-                                             : tr("%1 of %2 s")
-                                                   .arg(status.time_s, 0, 'f', decimals)
-                                                   .arg(status.last_s, 0, 'f', decimals));
+    time_words_->setText(status.busy ? busy_
+                         : status.shows_last
+                             ? tr("%1 s").arg(appearance::shown_number(status.last_s, decimals))
+                             : tr("%1 of %2 s")
+                                   .arg(appearance::shown_number(status.time_s, decimals))
+                                   .arg(appearance::shown_number(status.last_s, decimals)));
     readings_->setText(status.paused ? tr("%1   paused").arg(amount)
                        : note.isEmpty()
                            ? tr("%1   %2 steps/s").arg(amount).arg(std::lround(status.steps_per_s))

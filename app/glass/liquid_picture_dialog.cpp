@@ -3,6 +3,7 @@
 #include "appearance/picture_view.hpp"
 #include "appearance/screen_colours.hpp"
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "core/error.hpp"
 #include "core/fault.hpp"
 #include "liquid_files/traced_picture.hpp"
@@ -163,7 +164,7 @@ void LiquidPictureDialog::show_progress() {
                      ? tr("%n sample(s) in %1 s, without noise", nullptr, progress.samples)
                      : tr("%n sample(s) in %1 s: too few to take all noise out", nullptr,
                           progress.samples))
-                    .arg(progress.seconds, 0, 'f', 1));
+                    .arg(appearance::shown_number(progress.seconds, 1)));
         else if (progress.samples == 0)
             progress_->setText(tr("Finding the surface..."));
         else

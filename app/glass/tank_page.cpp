@@ -1,5 +1,7 @@
 #include "glass/tank_page.hpp"
 
+#include "appearance/shown_number.hpp"
+
 namespace pastoso::glass {
 
 TankPage::TankPage(const TankActions& actions, QWidget* parent)
@@ -16,7 +18,7 @@ TankPage::TankPage(TankView* view, TankPanel* panel, const TankActions& actions,
       panel_(panel) {}
 
 void TankPage::show_status(const session::TankStatus& status) {
-    show_time(status, tr("%1 l").arg(1e3 * status.volume_m3, 0, 'f', 2), 2);
+    show_time(status, tr("%1 l").arg(appearance::shown_number(1e3 * status.volume_m3, 2)), 2);
 }
 
 }  // namespace pastoso::glass

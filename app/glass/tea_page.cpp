@@ -1,5 +1,7 @@
 #include "glass/tea_page.hpp"
 
+#include "appearance/shown_number.hpp"
+
 namespace pastoso::glass {
 
 TeaPage::TeaPage(const TeaActions& actions, QWidget* parent)
@@ -19,7 +21,8 @@ void TeaPage::show_status(const session::TeaStatus& status) {
     QString hint;
     if (status.at_rest) hint = tr("Press on the tea to pour milk where you point");
     if (status.full && status.pouring) hint = tr("The glass is full");
-    show_time(status, tr("%1 ml of milk").arg(1e6 * status.milk_m3, 0, 'f', 1), 1, hint);
+    show_time(status, tr("%1 ml of milk").arg(appearance::shown_number(1e6 * status.milk_m3, 1)), 1,
+              hint);
 }
 
 }  // namespace pastoso::glass

@@ -1,5 +1,6 @@
 #include "start/canvas_choices.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "document/canvas.hpp"
 
 #include <algorithm>
@@ -66,7 +67,9 @@ document::CanvasSettings canvas_of(const CanvasSize& size, bool upright, const s
 }
 
 QString size_words(const document::CanvasSettings& canvas) {
-    return Words::tr("%1 × %2 mm").arg(canvas.width_mm).arg(canvas.height_mm);
+    return Words::tr("%1 × %2 mm")
+        .arg(appearance::shown_number(canvas.width_mm))
+        .arg(appearance::shown_number(canvas.height_mm));
 }
 
 }  // namespace pastoso::start

@@ -2,6 +2,7 @@
 
 #include "appearance/screen_colours.hpp"
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
@@ -172,7 +173,7 @@ panels::Tile NewCanvasSection::tile_of(const document::CanvasSettings& canvas,
                              .arg(size_words(canvas))
                              .arg(shape.width)
                              .arg(shape.height)
-                             .arg(canvas.px_per_mm);
+                             .arg(appearance::shown_number(canvas.px_per_mm));
     return {.name = name,
             .detail = size_words(canvas),
             .hint = why_not.isEmpty() ? hint : why_not,

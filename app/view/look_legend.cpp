@@ -1,6 +1,7 @@
 #include "view/look_legend.hpp"
 
 #include "appearance/screen_colours.hpp"
+#include "appearance/shown_number.hpp"
 #include "appearance/theme.hpp"
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 namespace pastoso::view {
 namespace {
 
+using appearance::shown_number;
+
 constexpr int kMargin = 10, kGap = 8, kBarWidth = 220, kBarHeight = 12;
 
 QColor colour(const screen::Rgb& rgb) {
@@ -19,10 +22,10 @@ QColor colour(const screen::Rgb& rgb) {
 
 /// Of the marks below the bar, the first at its left end, the last at its right.
 QStringList marks(screen::Look look, double scale_top_mm) {
-    const auto mm = [](double value) { return QString::number(value, 'g', 3); };
-    if (look == screen::Look::Wet) return {mm(0.01), mm(0.1), mm(1.0)};
+    if (look == screen::Look::Wet) return {shown_number(0.01), shown_number(0.1), shown_number(1.0)};
     if (look == screen::Look::Height)
-        return {QStringLiteral("0"), mm(0.5 * scale_top_mm), LookLegend::tr("%1 mm").arg(scale_top_mm)};
+        return {QStringLiteral("0"), shown_number(0.5 * scale_top_mm),
+                LookLegend::tr("%1 mm").arg(shown_number(scale_top_mm))};
     return {};
 }
 

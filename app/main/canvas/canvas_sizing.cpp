@@ -1,6 +1,7 @@
 #include "main/canvas/canvas_sizing.hpp"
 
 #include "appearance/picture_view.hpp"
+#include "appearance/shown_number.hpp"
 #include "dialogs/canvas_size_dialog.hpp"
 #include "dialogs/rotate_dialog.hpp"
 #include "dialogs/scale_dialog.hpp"
@@ -126,8 +127,8 @@ void CanvasSizing::put_up(const document::ResizedCanvas& canvas) {
     if (shown_bare_ == canvas.before) return;
     const document::CanvasSettings& shown = shown_bare_->settings;
     studio_.report(tr("The canvas is %1 × %2 mm now; Undo brings back what it was.")
-                       .arg(shown.width_mm)
-                       .arg(shown.height_mm));
+                       .arg(appearance::shown_number(shown.width_mm))
+                       .arg(appearance::shown_number(shown.height_mm)));
 }
 
 /// Where the same canvas was cut, made larger, turned, rotated or scaled, guides follow what lies on it.

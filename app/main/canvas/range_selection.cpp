@@ -1,5 +1,6 @@
 #include "main/canvas/range_selection.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "dialogs/select_range_dialog.hpp"
 #include "main/canvas/dialog_corner.hpp"
 #include "tools/selecting.hpp"
@@ -55,10 +56,10 @@ void RangeSelection::ask(bool wetness) {
     const QString words =
         wetness ? tr("Wet paint of this layer is up to %1 mm thick, %2 mm on average.")
                 : tr("Paint, wet and dry, stands up to %1 mm above the canvas, %2 mm on average.");
-    dialog_ = new dialogs::SelectRangeDialog(
-        wetness ? tr("Select by wetness") : tr("Select by height"),
-        words.arg(depths.most_mm, 0, 'f', 2).arg(depths.mean_mm, 0, 'f', 2),
-        first_range(wetness, depths), &studio_.window());
+    dialog_ = new dialogs::SelectRangeDialog(wetness ? tr("Select by wetness") : tr("Select by height"),
+                                             words.arg(appearance::shown_number(depths.most_mm, 2))
+                                                 .arg(appearance::shown_number(depths.mean_mm, 2)),
+                                             first_range(wetness, depths), &studio_.window());
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog_, &dialogs::SelectRangeDialog::changed, this, [=, this] { preview(wetness); });
     connect(dialog_, &QDialog::accepted, this, [=, this] {

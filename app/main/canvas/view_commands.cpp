@@ -1,5 +1,6 @@
 #include "main/canvas/view_commands.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "main/canvas/said_pointer.hpp"
 #include "panels/parts/status_readings.hpp"
 #include "view/look_legend.hpp"
@@ -53,9 +54,9 @@ ViewCommands::ViewCommands(Studio& studio, panels::StatusReadings* readings)
 void ViewCommands::name_canvas() {
     const document::CanvasSettings canvas = studio_.session().canvas();
     canvas_.setAccessibleName(tr("Canvas %1 \u00d7 %2 mm, %3 cells a millimetre")
-                                  .arg(canvas.width_mm)
-                                  .arg(canvas.height_mm)
-                                  .arg(canvas.px_per_mm));
+                                  .arg(appearance::shown_number(canvas.width_mm))
+                                  .arg(appearance::shown_number(canvas.height_mm))
+                                  .arg(appearance::shown_number(canvas.px_per_mm)));
 }
 
 void ViewCommands::connect_zooming() {

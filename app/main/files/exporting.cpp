@@ -1,6 +1,7 @@
 #include "main/files/exporting.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "core/looking.hpp"
 #include "core/user_data.hpp"
 #include "dialogs/export_dialog.hpp"
@@ -37,7 +38,7 @@ QString name_of(const std::filesystem::path& path) {
 }
 
 QString length_mm(double mm) {
-    return QString::number(mm, 'f', 3);
+    return appearance::shown_number(mm, 3);
 }
 
 QString words_of(const recordings::ExportReport& report, const QString& name) {
@@ -45,8 +46,8 @@ QString words_of(const recordings::ExportReport& report, const QString& name) {
         return Exporting::tr("Exported %1: %n triangle(s), %2 × %3 mm.", nullptr,
                              static_cast<int>(report.triangles))
             .arg(name)
-            .arg(report.width_mm)
-            .arg(report.height_mm);
+            .arg(appearance::shown_number(report.width_mm))
+            .arg(appearance::shown_number(report.height_mm));
     if (report.files.size() > 1)
         return Exporting::tr("Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).")
             .arg(name_of(report.files.front()))

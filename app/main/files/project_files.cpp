@@ -1,5 +1,6 @@
 #include "main/files/project_files.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "commands/recent_paintings.hpp"
 #include "core/looking.hpp"
 #include "dialogs/new_canvas_dialog.hpp"
@@ -177,7 +178,10 @@ void ProjectFiles::fill_recent() {
 void ProjectFiles::show_title() {
     const document::CanvasSettings& canvas = studio_.session().canvas();
     const QString name = path_.isEmpty() ? tr("Canvas") : QFileInfo(path_).fileName();
-    const QString painting = tr("%1[*] %2 × %3 mm").arg(name).arg(canvas.width_mm).arg(canvas.height_mm);
+    const QString painting = tr("%1[*] %2 × %3 mm")
+                                 .arg(name)
+                                 .arg(appearance::shown_number(canvas.width_mm))
+                                 .arg(appearance::shown_number(canvas.height_mm));
     studio_.window().setWindowTitle(place_.isEmpty() ? painting : tr("%1 - %2").arg(place_, painting));
 }
 

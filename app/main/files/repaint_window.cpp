@@ -1,6 +1,7 @@
 #include "main/files/repaint_window.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "main/queued_refresh.hpp"
 #include "panels/history/recorder_panel.hpp"
 
@@ -33,7 +34,9 @@ QString time_left(const session::Repainter::Status& status) {
 
 RepaintWindow::RepaintWindow(document::Recording strokes, const std::string& name,
                              const view::CanvasView& like, QWidget* parent)
-    : WatchedWindow(tr("Painted again on %1 px/mm").arg(strokes.canvas.px_per_mm), like, parent) {
+    : WatchedWindow(
+          tr("Painted again on %1 px/mm").arg(appearance::shown_number(strokes.canvas.px_per_mm)), like,
+          parent) {
     add_controls(controls());
     repainter_ = std::make_unique<session::Repainter>(
         std::move(strokes), name, queued_refresh(this, [this] { show_published(); }));

@@ -1,5 +1,6 @@
 #include "main/program/machine_facts.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "core/isa.hpp"
 #include "core/memory.hpp"
 #include "core/thread_count.hpp"
@@ -61,9 +62,9 @@ Facts machine_facts() {
                                             .arg(core::processor_count())
                                             .arg(QSysInfo::currentCpuArchitecture(),
                                                  QString::fromLatin1(core::name_of(core::best_isa()))));
-    facts.emplace_back(
-        tr("Free memory"),
-        tr("%1 GB").arg(static_cast<double>(core::available_memory_bytes()) / kGiB, 0, 'f', 1));
+    facts.emplace_back(tr("Free memory"),
+                       tr("%1 GB").arg(appearance::shown_number(
+                           static_cast<double>(core::available_memory_bytes()) / kGiB, 1)));
     facts.emplace_back(tr("Windows by"), QGuiApplication::platformName());
     facts.emplace_back(tr("Screen"), screen_words());
     add_opengl(facts);

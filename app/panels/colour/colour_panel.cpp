@@ -1,5 +1,6 @@
 #include "panels/colour/colour_panel.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "panels/colour/colour_picker.hpp"
 #include "panels/colour/mixes_part.hpp"
 #include "panels/colour/opened_palette.hpp"
@@ -178,7 +179,8 @@ void ColourPanel::show_nearest_paint() {
     nearest_->show_drawdown(drawn);
     nearest_->show_paint(shown_colour(nearest_paint_, view_), paint_words(nearest_paint_, drawn.hiding));
     words_->setText(tr("%1\nΔE %2, %3; %4")
-                        .arg(recipe_lines(nearest_paint_), QString::number(nearest_difference_, 'f', 1),
+                        .arg(recipe_lines(nearest_paint_),
+                             appearance::shown_number(nearest_difference_, 1),
                              difference_words(nearest_difference_), hiding_words(drawn.hiding)));
 }
 

@@ -2,6 +2,7 @@
 
 #include "appearance/said_value.hpp"
 #include "appearance/screen_colours.hpp"
+#include "appearance/shown_number.hpp"
 #include "core/units.hpp"
 #include "panels/colour/wheel_marks.hpp"
 #include "panels/colour/wheel_picture.hpp"
@@ -54,7 +55,7 @@ void ColourWheel::show_colour(const tools::Channels& oklch) {
     if (!tools::in_harmony(aids_.harmony, harmony_deg_, oklch_[2])) turn_harmony(oklch_[2]);
     appearance::say_value(*this, tr("Lightness %1 %, chroma %2, hue %3\u00b0")
                                      .arg(oklch_[0], 0, 'f', 0)
-                                     .arg(oklch_[1], 0, 'f', 2)
+                                     .arg(appearance::shown_number(oklch_[1], 2))
                                      .arg(oklch_[2], 0, 'f', 0));
     update();
 }

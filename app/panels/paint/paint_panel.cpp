@@ -14,6 +14,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
@@ -103,7 +104,7 @@ QString PaintPanel::words_of(const PaintEntry& paint, const Colours& colours, do
     return tr("%1 (%2), %3\nAs the tool in hand lays it (%4 mm), thinned over white and over black, and "
               "with white")
         .arg(paint.name, paint.pigment, hiding_words(colours.drawdown.hiding),
-             QString::number(film_mm, 'g', 2));
+             QLocale().toString(film_mm, 'g', 2));
 }
 
 PaintPanel::PaintPanel(const std::vector<PaintEntry>& paints, QWidget* parent)

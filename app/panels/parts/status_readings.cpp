@@ -1,5 +1,6 @@
 #include "panels/parts/status_readings.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "core/memory.hpp"
 #include "document/canvas.hpp"
 
@@ -55,8 +56,8 @@ QLabel* StatusReadings::add(int width_characters, const QString& hint) {
 void StatusReadings::show_canvas(const document::CanvasSettings& canvas) {
     const grid::Shape shape = document::canvas_shape(canvas);
     canvas_->setText(tr("%1 × %2 mm   %3 × %4 px")
-                         .arg(canvas.width_mm)
-                         .arg(canvas.height_mm)
+                         .arg(appearance::shown_number(canvas.width_mm))
+                         .arg(appearance::shown_number(canvas.height_mm))
                          .arg(shape.width)
                          .arg(shape.height));
 }
@@ -65,11 +66,11 @@ void StatusReadings::show_view(double zoom, double angle_deg, bool mirrored) {
     QStringList turn;
     const double shown_deg = 0.1 * std::round(10.0 * angle_deg);
     if (mirrored) turn += tr("mirrored");
-    if (shown_deg != 0.0) turn += tr("turned %1°").arg(shown_deg);
+    if (shown_deg != 0.0) turn += tr("turned %1°").arg(appearance::shown_number(shown_deg));
     turn_->setText(turn.join(QStringLiteral(", ")));
     turn_->setVisible(!turn.isEmpty());
     const double percent = 100.0 * zoom;
-    zoom_->setText(QString::number(percent, 'f', percent < 10.0 ? 1 : 0) + " %");
+    zoom_->setText(appearance::shown_number(percent, percent < 10.0 ? 1 : 0) + " %");
 }
 
 void StatusReadings::show_look(const QString& words) {
@@ -78,9 +79,10 @@ void StatusReadings::show_look(const QString& words) {
 }
 
 void StatusReadings::show_pointer(std::optional<QPointF> position_mm) {
-    pointer_->setText(
-        position_mm ? tr("%1, %2 mm").arg(position_mm->x(), 0, 'f', 1).arg(position_mm->y(), 0, 'f', 1)
-                    : QString());
+    pointer_->setText(position_mm ? tr("%1, %2 mm")
+                                        .arg(appearance::shown_number(position_mm->x(), 1))
+                                        .arg(appearance::shown_number(position_mm->y(), 1))
+                                  : QString());
 }
 
 void StatusReadings::show_status(const session::Status& status) {
@@ -93,7 +95,7 @@ void StatusReadings::show_status(const session::Status& status) {
                            ? tr("paint at rest")
                            : tr("paint moving, %1 % busy").arg(std::lround(100.0 * status.load)));
     const double speed = status.paint_per_wall;
-    speed_->setText(tr("%1 × time").arg(speed, 0, 'f', speed < 0.095 ? 3 : 2));
+    speed_->setText(tr("%1 × time").arg(appearance::shown_number(speed, speed < 0.095 ? 3 : 2)));
 }
 
 void StatusReadings::show_speed(bool shown) {
@@ -103,14 +105,15 @@ void StatusReadings::show_speed(bool shown) {
 void StatusReadings::show_memory() {
     const double GiB = static_cast<double>(core::resident_memory_bytes()) / (1 << 30);
     memory_->setText(GiB < 1.0 ? tr("%1 MB").arg(std::lround(1024.0 * GiB))
-                               : tr("%1 GB").arg(GiB, 0, 'f', 1));
+                               : tr("%1 GB").arg(appearance::shown_number(GiB, 1)));
 }
 
 void StatusReadings::show_selection(const QString& drawing, std::optional<double> share) {
     QStringList parts;
     if (!drawing.isEmpty()) parts += drawing;
     const double percent = 100.0 * share.value_or(0.0);
-    if (share) parts += tr("%1 % selected").arg(percent, 0, 'f', percent < 9.95 ? 1 : 0);
+    if (share)
+        parts += tr("%1 % selected").arg(appearance::shown_number(percent, percent < 9.95 ? 1 : 0));
     selection_->setText(parts.join(QStringLiteral(", ")));
     selection_->setVisible(!parts.isEmpty());
 }

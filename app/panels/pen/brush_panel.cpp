@@ -1,5 +1,6 @@
 #include "panels/pen/brush_panel.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "appearance/terms.hpp"
 #include "panels/parts/section.hpp"
 #include "tools/hand.hpp"
@@ -242,7 +243,7 @@ void BrushPanel::write_steadying() {
         strength_->setRange(1, static_cast<int>(tools::kLongestString_mm) * kPlacesPerMm);
         strength_->setValue(static_cast<int>(std::lround(steadying_.string_mm * kPlacesPerMm)));
         strength_->setToolTip(tr("Length of the string: wide curves without a tremor"));
-        strength_reading_->setText(tr("%1 mm").arg(steadying_.string_mm));
+        strength_reading_->setText(tr("%1 mm").arg(appearance::shown_number(steadying_.string_mm)));
     } else {
         strength_->setRange(1, static_cast<int>(tools::kMostSmoothing_ms) / kSmoothingStep_ms);
         strength_->setValue(static_cast<int>(std::lround(steadying_.smoothing_ms / kSmoothingStep_ms)));

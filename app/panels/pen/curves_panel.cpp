@@ -1,5 +1,6 @@
 #include "panels/pen/curves_panel.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "brush/hand_pose.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/pen/curve_editor.hpp"
@@ -90,9 +91,9 @@ QString input_text(DynamicsInput input, double value) {
         case DynamicsInput::Distance:
             return QObject::tr("%1 mm").arg(value, 0, 'f', 0);
         case DynamicsInput::Time:
-            return QObject::tr("%1 s").arg(value, 0, 'f', 1);
+            return QObject::tr("%1 s").arg(appearance::shown_number(value, 1));
         case DynamicsInput::Fade:
-            return QObject::tr("%1 widths").arg(value, 0, 'f', 1);
+            return QObject::tr("%1 widths").arg(appearance::shown_number(value, 1));
         case DynamicsInput::StrokeRandom:
         case DynamicsInput::DabRandom:
         case DynamicsInput::Wheel:
@@ -111,7 +112,7 @@ QString output_text(DynamicsTarget target, double value) {
         case DynamicsTarget::Rotation:
             return QStringLiteral("%1\u00b0").arg(value, 0, 'f', 0);
         default:
-            return QStringLiteral("\u00d7 %1").arg(value, 0, 'f', 2);
+            return QStringLiteral("\u00d7 %1").arg(appearance::shown_number(value, 2));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "appearance/picture_view.hpp"
 #include "appearance/screen_colours.hpp"
+#include "appearance/shown_number.hpp"
 #include "document/tool_sample.hpp"
 
 #include <algorithm>
@@ -132,9 +133,9 @@ void StrokeStrip::paint_scale(QPainter& painter) const {
     const double right = width() - kMargin, y = height() - kMargin;
     const double left = right - length_mm / board_mm() * width();
     const QPointF ends[] = {{left, y - kTick}, {left, y}, {right, y}, {right, y - kTick}};
-    paint_words(painter,
-                QRectF(left - 2.0 * kMargin, 0.0, right - left + 4.0 * kMargin, y - 2.0 * kTick),
-                Qt::AlignHCenter | Qt::AlignBottom, tr("%1 mm").arg(length_mm));
+    paint_words(
+        painter, QRectF(left - 2.0 * kMargin, 0.0, right - left + 4.0 * kMargin, y - 2.0 * kTick),
+        Qt::AlignHCenter | Qt::AlignBottom, tr("%1 mm").arg(appearance::shown_number(length_mm)));
     painter.drawPolyline(ends, 4);
 }
 
