@@ -62,7 +62,9 @@ QPushButton:disabled { color: <faint_text>; background: <window>; border-color: 
 QToolButton { background: <button>; border: 1px solid <line>; border-radius: 4px; padding: 5px 9px; }
 QToolButton[small="true"] { background: transparent; border: 1px solid transparent; padding: 2px 4px; }
 QToolBar QToolButton { padding: 5px 7px; }
-QToolButton#qt_toolbar_ext_button { padding: 0px; }
+QToolButton[popupMode="InstantPopup"] { padding-right: 20px; }
+QPushButton::menu-indicator, QToolButton::menu-indicator { image: url("<icons>/box_down.svg"); width: 9px; height: 9px; subcontrol-origin: padding; subcontrol-position: right center; right: 5px; }
+QToolButton#qt_toolbar_ext_button, QToolButton#qt_menubar_ext_button { padding: 0px; }
 QFileDialog QToolButton { padding: 4px; }
 QMainWindow > QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true; }
 QToolButton:hover { background: <hovered>; }
