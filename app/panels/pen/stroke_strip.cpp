@@ -17,6 +17,9 @@ namespace {
 
 /// The rough stroke has a quarter of the cells, and less than a quarter of the work.
 constexpr double kRoughCell_px = 2.0;
+/// Air drives paint in many short steps, the more the finer the cells, and leaves no streaks as fine as
+/// those of bristles.
+constexpr double kBlownCells = 2.0;
 constexpr int kRest_ms = 150;
 
 constexpr int kMargin = 8;
@@ -85,13 +88,14 @@ void StrokeStrip::begin() {
 
 void StrokeStrip::want(bool fine) {
     const QSize pixels = size() * devicePixelRatioF();
+    const double coarser = mark_ == document::ToolMark::Blow ? kBlownCells : 1.0;
     fine_ = fine;
     painter_.want({preset_,
                    mark_,
                    {.width_mm = board_mm(),
                     .width_px = pixels.width(),
                     .height_px = pixels.height(),
-                    .cell_px = fine ? devicePixelRatioF() : kRoughCell_px * devicePixelRatioF()},
+                    .cell_px = coarser * (fine ? 1.0 : kRoughCell_px) * devicePixelRatioF()},
                    ++latest_});
 }
 
