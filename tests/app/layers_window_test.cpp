@@ -425,6 +425,21 @@ TEST_F(LayersWindow, PicturesShowThePaintOfEachLayer) {
     EXPECT_FALSE(covered(2, 10));
 }
 
+TEST_F(LayersWindow, APictureIsDrawnAnewWhereItStands) {
+    QImage green(panels::kLayerPicture, QImage::Format_ARGB32_Premultiplied);
+    green.fill(QColor(0, 200, 0));
+    const QPoint middle = place_of(layer(1), LayerModel::kName).topLeft() +
+                          QPoint(panels::kLayerPicture.width() / 2, panels::kLayerPicture.height() / 2);
+    bool drawn = false;
+    QObject::connect(&tree().layers(), &QAbstractItemModel::dataChanged, &tree(),
+                     [&](const QModelIndex& first, const QModelIndex& last) {
+                         const QRect changed = tree().visualRect(first).united(tree().visualRect(last));
+                         drawn = drawn || changed.contains(middle);
+                     });
+    tree().layers().set_picture(1, green, true);
+    EXPECT_TRUE(drawn);
+}
+
 TEST_F(LayersWindow, ThePanelIsRememberedAndTakesUpAnotherCanvas) {
     give(Command::AddLayer);
     parts().files.new_canvas(canvas_settings());

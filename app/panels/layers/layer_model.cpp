@@ -39,7 +39,7 @@ void LayerModel::show(const document::LayerStack& stack) {
 
 void LayerModel::set_picture(document::LayerId layer, const QImage& picture, bool wet) {
     pictures_[layer] = {picture, wet};
-    const QModelIndex changed = index_of({.layer = layer}, kEye);
+    const QModelIndex changed = index_of({.layer = layer}, kName);
     if (changed.isValid()) Q_EMIT dataChanged(changed, changed);
 }
 
