@@ -14,6 +14,7 @@
 #include <QDropEvent>
 #include <QGuiApplication>
 #include <QMimeData>
+#include <QScreen>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
@@ -369,6 +370,8 @@ TEST_F(ReferenceWindow, HasAWindowOfItsOwnAndComesBack) {
     action(Command::FloatReferences)->trigger();
     EXPECT_TRUE(dock().isFloating());
     EXPECT_TRUE(dock().isVisible());
+    EXPECT_NE(QGuiApplication::screenAt(dock().geometry().center()), nullptr);
+    EXPECT_GE(dock().height(), 150) << "there is something to see of the board";
     dock().setFloating(false);
     EXPECT_FALSE(action(Command::FloatReferences)->isChecked());
 }

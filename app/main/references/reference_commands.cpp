@@ -23,6 +23,7 @@
 #include <QGuiApplication>
 #include <QMainWindow>
 #include <QMimeData>
+#include <QScreen>
 #include <QUrl>
 
 namespace pastoso::main {
@@ -54,6 +55,16 @@ QStringList local_files(const QMimeData& data) {
     return paths;
 }
 
+/// A panel that was never laid out would float small, and beside the screen.
+void bring_into_view(QDockWidget& floating, const QWidget& canvas) {
+    constexpr QSize kSize(360, 300);
+    constexpr int kMargin_px = 16;
+    const bool seen = QGuiApplication::screenAt(floating.geometry().center()) != nullptr;
+    if (seen && floating.height() >= kSize.height() / 2) return;
+    floating.resize(kSize);
+    floating.move(canvas.mapToGlobal(QPoint(canvas.width() - kSize.width() - kMargin_px, kMargin_px)));
+}
+
 }  // namespace
 
 ReferenceCommands::ReferenceCommands(Studio& studio, Loading& loading, panels::ReferencePanel* panel,
@@ -63,6 +74,7 @@ ReferenceCommands::ReferenceCommands(Studio& studio, Loading& loading, panels::R
     studio_.commands().on(Command::FloatReferences, [this](bool floats) {
         dock_->show();
         dock_->setFloating(floats);
+        if (floats) bring_into_view(*dock_, studio_.canvas());
         dock_->raise();
     });
     connect(dock_, &QDockWidget::topLevelChanged, studio_.commands().action(Command::FloatReferences),
