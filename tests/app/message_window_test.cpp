@@ -6,6 +6,7 @@
 #include "panels/messages/message_bar.hpp"
 #include "panels/messages/message_panel.hpp"
 #include "panels/messages/wrapped_text.hpp"
+#include "panels/parts/status_readings.hpp"
 #include "start/start_page.hpp"
 
 #include <QAction>
@@ -13,6 +14,7 @@
 #include <QClipboard>
 #include <QDockWidget>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTest>
 #include <QToolButton>
 #include <gmock/gmock.h>
@@ -44,6 +46,18 @@ class MessageWindow : public WindowTest {
         QTest::mouseClick(button, Qt::LeftButton);
     }
 };
+
+TEST_F(MessageWindow, ReadingsGiveWayToASentenceThatTheyWouldCut) {
+    const auto* readings = window().findChild<panels::StatusReadings*>();
+    window().resize(1280, 700);
+    wait_for([this] { return window().width() == 1280; });
+    studio().report(QStringLiteral("Short."));
+    EXPECT_TRUE(readings->isVisible());
+    studio().report(QStringLiteral("A sentence of many words. ").repeated(6));
+    EXPECT_FALSE(readings->isVisible());
+    window().statusBar()->clearMessage();
+    EXPECT_TRUE(readings->isVisible());
+}
 
 TEST_F(MessageWindow, TheListKeepsWhatPassedInTheStatusLine) {
     studio().report(QStringLiteral("First."));

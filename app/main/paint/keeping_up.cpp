@@ -45,9 +45,14 @@ void KeepingUp::look() {
     if (status.awake_tiles == 0 && notice_->sentence().isEmpty()) looked_at_.stop();
 }
 
-/// Messages pass in the same place, and have it first.
+/// Messages pass in the same place, and have it first; readings that would cut one give way.
 void KeepingUp::show() {
-    const bool free = studio_.window().statusBar()->currentMessage().isEmpty();
+    constexpr int kEdges_px = 60;  // the message's, and the button beside it
+    const QStatusBar* bar = studio_.window().statusBar();
+    const QString message = bar->currentMessage();
+    const bool free = message.isEmpty();
+    const int needed_px = bar->fontMetrics().horizontalAdvance(message) + kEdges_px;
+    readings_->setVisible(free || needed_px + readings_->sizeHint().width() <= bar->width());
     const bool tells = free && !notice_->sentence().isEmpty();
     readings_->show_speed(!tells);
     notice_->setVisible(tells);
