@@ -3014,8 +3014,44 @@
         <translation>y of the reference</translation>
     </message>
     <message>
-        <source>angle of the cloth</source>
-        <translation>angle of the cloth</translation>
+        <source>a group of layers cannot be clipped; its layers can.</source>
+        <translation>a group of layers cannot be clipped; its layers can.</translation>
+    </message>
+    <message>
+        <source>a map has 4 numbers; here are %1.</source>
+        <translation>a map has 4 numbers; here are %1.</translation>
+    </message>
+    <message>
+        <source>a stroke that goes on says nothing of where it began.</source>
+        <translation>a stroke that goes on says nothing of where it began.</translation>
+    </message>
+    <message>
+        <source>holds a cell that is not masked.</source>
+        <translation>holds a cell that is not masked.</translation>
+    </message>
+    <message>
+        <source>radius of the feather</source>
+        <translation>radius of the feather</translation>
+    </message>
+    <message>
+        <source>share of the dry paint</source>
+        <translation>share of the dry paint</translation>
+    </message>
+    <message>
+        <source>the medium in hand leaves next to nothing when it dries.</source>
+        <translation>the medium in hand leaves next to nothing when it dries.</translation>
+    </message>
+    <message>
+        <source>there is no dry paint on &quot;%1&quot; to adjust.</source>
+        <translation>there is no dry paint on &quot;%1&quot; to adjust.</translation>
+    </message>
+    <message>
+        <source>thickness of the glaze</source>
+        <translation>thickness of the glaze</translation>
+    </message>
+    <message>
+        <source>width of the cloth&apos;s threads</source>
+        <translation>width of the cloth&apos;s threads</translation>
     </message>
 </context>
 <context>
@@ -3555,6 +3591,10 @@
     <message>
         <source>Click to lock what is bare: tools change only what has paint</source>
         <translation>Click to lock what is bare: tools change only what has paint</translation>
+    </message>
+    <message>
+        <source>Clipped to the layer below: of its paint, only what lies over paint of that layer shows. The rest is hidden, and kept</source>
+        <translation>Clipped to the layer below: of its paint, only what lies over paint of that layer shows. The rest is hidden, and kept</translation>
     </message>
 </context>
 <context>
@@ -4758,10 +4798,6 @@
     <message>
         <source>Draw around what tools keep to; Shift adds, Alt takes away</source>
         <translation>Draw around what tools keep to; Shift adds, Alt takes away</translation>
-    </message>
-    <message>
-        <source>&amp;Everything</source>
-        <translation>&amp;Everything</translation>
     </message>
     <message>
         <source>End the selection: tools work on all of the canvas</source>
@@ -6155,6 +6191,34 @@
         <source>Pictures to look at while you paint, and to pick colours from</source>
         <translation>Pictures to look at while you paint, and to pick colours from</translation>
     </message>
+    <message>
+        <source>Ad&amp;just dry paint...</source>
+        <translation>Ad&amp;just dry paint...</translation>
+    </message>
+    <message>
+        <source>Colour adjustment of what is dry: a glaze over it, or another hue by other pigments</source>
+        <translation>Colour adjustment of what is dry: a glaze over it, or another hue by other pigments</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ip to the layer below</source>
+        <translation>Cl&amp;ip to the layer below</translation>
+    </message>
+    <message>
+        <source>Show the layer only where the one below has paint; the rest is hidden, and kept</source>
+        <translation>Show the layer only where the one below has paint; the rest is hidden, and kept</translation>
+    </message>
+    <message>
+        <source>E&amp;verything</source>
+        <translation>E&amp;verything</translation>
+    </message>
+    <message>
+        <source>F&amp;eather...</source>
+        <translation>F&amp;eather...</translation>
+    </message>
+    <message>
+        <source>Make the edge of the selection soft, so that paint fades out there</source>
+        <translation>Make the edge of the selection soft, so that paint fades out there</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6200,6 +6264,69 @@
     <message>
         <source>Save as...</source>
         <translation>Save as...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::AdjustDialog</name>
+    <message>
+        <source>The medium in hand leaves next to nothing when it dries.</source>
+        <translation>The medium in hand leaves next to nothing when it dries.</translation>
+    </message>
+    <message>
+        <source>Adjust dry paint</source>
+        <translation>Adjust dry paint</translation>
+    </message>
+    <message>
+        <source>The dry paint of the layer that you paint on takes another colour, where it is selected or all over. Wet paint stays as it is.</source>
+        <translation>The dry paint of the layer that you paint on takes another colour, where it is selected or all over. Wet paint stays as it is.</translation>
+    </message>
+    <message>
+        <source>As a glaze</source>
+        <translation>As a glaze</translation>
+    </message>
+    <message>
+        <source>As other pigments</source>
+        <translation>As other pigments</translation>
+    </message>
+    <message>
+        <source>Adjust</source>
+        <translation>Adjust</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Thickness</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Share</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>The mean colour as it is</source>
+        <translation>The mean colour as it is</translation>
+    </message>
+    <message>
+        <source>The mean colour after it is adjusted</source>
+        <translation>The mean colour after it is adjusted</translation>
+    </message>
+    <message>
+        <source>Before, after</source>
+        <translation>Before, after</translation>
+    </message>
+    <message>
+        <source>A thin even coat of the paint in hand dries over it, and what lies below shows through. It is as thick as this when it is dry.</source>
+        <translation>A thin even coat of the paint in hand dries over it, and what lies below shows through. It is as thick as this when it is dry.</translation>
+    </message>
+    <message>
+        <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
+        <translation>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</translation>
     </message>
 </context>
 <context>
@@ -7455,6 +7582,10 @@
     <message>
         <source>Texture laid</source>
         <translation>Texture laid</translation>
+    </message>
+    <message>
+        <source>Dry paint adjusted</source>
+        <translation>Dry paint adjusted</translation>
     </message>
 </context>
 <context>
@@ -8846,6 +8977,29 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::DryAdjusting</name>
+    <message>
+        <source>The layer that you paint on has no dry paint.</source>
+        <translation>The layer that you paint on has no dry paint.</translation>
+    </message>
+    <message>
+        <source>The layer that you paint on has no dry paint where it is selected.</source>
+        <translation>The layer that you paint on has no dry paint where it is selected.</translation>
+    </message>
+    <message>
+        <source>The glaze lies over the dry paint.</source>
+        <translation>The glaze lies over the dry paint.</translation>
+    </message>
+    <message>
+        <source>The dry paint has other pigments in it.</source>
+        <translation>The dry paint has other pigments in it.</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>A recording is being played; the paint is yours when it has ended.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::Exporting</name>
     <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
@@ -9721,6 +9875,22 @@
     <message>
         <source>Select</source>
         <translation>Select</translation>
+    </message>
+    <message>
+        <source>Feather the selection</source>
+        <translation>Feather the selection</translation>
+    </message>
+    <message>
+        <source>The edge becomes soft: paint fades out so far on either side of the outline.</source>
+        <translation>The edge becomes soft: paint fades out so far on either side of the outline.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Feather</translation>
     </message>
 </context>
 <context>
@@ -11338,6 +11508,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>what is bare is locked</source>
         <translation>what is bare is locked</translation>
+    </message>
+    <message>
+        <source>clipped to the layer below</source>
+        <translation>clipped to the layer below</translation>
     </message>
 </context>
 <context>

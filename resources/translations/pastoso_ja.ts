@@ -3014,8 +3014,44 @@
         <translation>参考画像の y</translation>
     </message>
     <message>
-        <source>angle of the cloth</source>
-        <translation>布の角度</translation>
+        <source>a group of layers cannot be clipped; its layers can.</source>
+        <translation>グループはクリッピングできません。中のレイヤーならできます。</translation>
+    </message>
+    <message>
+        <source>a map has 4 numbers; here are %1.</source>
+        <translation>変換には4つの数値が必要ですが、ここには%1個あります。</translation>
+    </message>
+    <message>
+        <source>a stroke that goes on says nothing of where it began.</source>
+        <translation>続きのストロークは、どこで始まったかを指定できません。</translation>
+    </message>
+    <message>
+        <source>holds a cell that is not masked.</source>
+        <translation>マスクされていないセルが含まれています。</translation>
+    </message>
+    <message>
+        <source>radius of the feather</source>
+        <translation>境界のぼかしの半径</translation>
+    </message>
+    <message>
+        <source>share of the dry paint</source>
+        <translation>乾いた絵具の割合</translation>
+    </message>
+    <message>
+        <source>the medium in hand leaves next to nothing when it dries.</source>
+        <translation>手持ちのメディウムは乾くとほとんど何も残りません。</translation>
+    </message>
+    <message>
+        <source>there is no dry paint on &quot;%1&quot; to adjust.</source>
+        <translation>「%1」には調整できる乾いた絵具がありません。</translation>
+    </message>
+    <message>
+        <source>thickness of the glaze</source>
+        <translation>グレーズの厚さ</translation>
+    </message>
+    <message>
+        <source>width of the cloth&apos;s threads</source>
+        <translation>布の糸の幅</translation>
     </message>
 </context>
 <context>
@@ -3555,6 +3591,10 @@
     <message>
         <source>Click to lock what is bare: tools change only what has paint</source>
         <translation>クリックで絵具のない部分をロックし、絵具のある部分だけをツールで変える</translation>
+    </message>
+    <message>
+        <source>Clipped to the layer below: of its paint, only what lies over paint of that layer shows. The rest is hidden, and kept</source>
+        <translation>下のレイヤーでクリッピング中: そのレイヤーの絵具の上にある部分だけが見えます。残りは隠れていますが失われません</translation>
     </message>
 </context>
 <context>
@@ -4758,10 +4798,6 @@
     <message>
         <source>Draw around what tools keep to; Shift adds, Alt takes away</source>
         <translation>囲んだ範囲の中だけにツールが効くようにする。Shiftで追加、Altで除外</translation>
-    </message>
-    <message>
-        <source>&amp;Everything</source>
-        <translation>すべて(&amp;E)</translation>
     </message>
     <message>
         <source>End the selection: tools work on all of the canvas</source>
@@ -6155,6 +6191,34 @@
         <source>Pictures to look at while you paint, and to pick colours from</source>
         <translation>描きながら見て、色を拾うための画像</translation>
     </message>
+    <message>
+        <source>Ad&amp;just dry paint...</source>
+        <translation>乾いた絵具を調整(&amp;J)...</translation>
+    </message>
+    <message>
+        <source>Colour adjustment of what is dry: a glaze over it, or another hue by other pigments</source>
+        <translation>乾いた絵具の色調整。上にグレーズをかける、または別の顔料で色相を変える</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ip to the layer below</source>
+        <translation>下のレイヤーでクリッピング(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show the layer only where the one below has paint; the rest is hidden, and kept</source>
+        <translation>下のレイヤーに絵具がある部分だけを表示する。残りは隠れるが失われない</translation>
+    </message>
+    <message>
+        <source>E&amp;verything</source>
+        <translation>すべて(&amp;V)</translation>
+    </message>
+    <message>
+        <source>F&amp;eather...</source>
+        <translation>境界をぼかす(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>Make the edge of the selection soft, so that paint fades out there</source>
+        <translation>選択範囲の境界をぼかし、絵具がそこで薄れるようにする</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6199,6 +6263,69 @@
     <message>
         <source>Save as...</source>
         <translation>名前を付けて保存...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::AdjustDialog</name>
+    <message>
+        <source>The medium in hand leaves next to nothing when it dries.</source>
+        <translation>手持ちのメディウムは乾くとほとんど何も残りません。</translation>
+    </message>
+    <message>
+        <source>Adjust dry paint</source>
+        <translation>乾いた絵具を調整</translation>
+    </message>
+    <message>
+        <source>The dry paint of the layer that you paint on takes another colour, where it is selected or all over. Wet paint stays as it is.</source>
+        <translation>描いているレイヤーの乾いた絵具の色が、選択範囲または全体で変わります。濡れた絵具はそのままです。</translation>
+    </message>
+    <message>
+        <source>As a glaze</source>
+        <translation>グレーズとして</translation>
+    </message>
+    <message>
+        <source>As other pigments</source>
+        <translation>別の顔料として</translation>
+    </message>
+    <message>
+        <source>Adjust</source>
+        <translation>調整</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚さ</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>割合</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>The mean colour as it is</source>
+        <translation>今の平均の色</translation>
+    </message>
+    <message>
+        <source>The mean colour after it is adjusted</source>
+        <translation>調整後の平均の色</translation>
+    </message>
+    <message>
+        <source>Before, after</source>
+        <translation>調整前、調整後</translation>
+    </message>
+    <message>
+        <source>A thin even coat of the paint in hand dries over it, and what lies below shows through. It is as thick as this when it is dry.</source>
+        <translation>手持ちの絵具の薄く均一な層がその上で乾き、下のものが透けて見えます。厚さは乾いたときのものです。</translation>
+    </message>
+    <message>
+        <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
+        <translation>この割合の乾いた絵具が取り除かれ、目に見えないほど細かな粒で手持ちの絵具に置き換わります。厚さは変わりません。</translation>
     </message>
 </context>
 <context>
@@ -7450,6 +7577,10 @@
     <message>
         <source>Texture laid</source>
         <translation>テクスチャーの塗布</translation>
+    </message>
+    <message>
+        <source>Dry paint adjusted</source>
+        <translation>乾いた絵具の調整</translation>
     </message>
 </context>
 <context>
@@ -8837,6 +8968,29 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::DryAdjusting</name>
+    <message>
+        <source>The layer that you paint on has no dry paint.</source>
+        <translation>描いているレイヤーには乾いた絵具がありません。</translation>
+    </message>
+    <message>
+        <source>The layer that you paint on has no dry paint where it is selected.</source>
+        <translation>描いているレイヤーの選択範囲には乾いた絵具がありません。</translation>
+    </message>
+    <message>
+        <source>The glaze lies over the dry paint.</source>
+        <translation>グレーズが乾いた絵具の上に載っています。</translation>
+    </message>
+    <message>
+        <source>The dry paint has other pigments in it.</source>
+        <translation>乾いた絵具の顔料が変わりました。</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>記録を再生中です。終わると絵具を使えます。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::Exporting</name>
     <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
@@ -9708,6 +9862,22 @@
     <message>
         <source>Select</source>
         <translation>選択</translation>
+    </message>
+    <message>
+        <source>Feather the selection</source>
+        <translation>選択範囲の境界をぼかす</translation>
+    </message>
+    <message>
+        <source>The edge becomes soft: paint fades out so far on either side of the outline.</source>
+        <translation>境界がぼけます。輪郭の両側のこの幅で絵具が薄れます。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>ぼかす</translation>
     </message>
 </context>
 <context>
@@ -11318,6 +11488,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>what is bare is locked</source>
         <translation>絵具のない部分はロック中</translation>
+    </message>
+    <message>
+        <source>clipped to the layer below</source>
+        <translation>下のレイヤーでクリッピング中</translation>
     </message>
 </context>
 <context>

@@ -2711,11 +2711,11 @@
     </message>
     <message>
         <source>gradient&apos;s point</source>
-        <translation>toningens punkt</translation>
+        <translation>övergångens punkt</translation>
     </message>
     <message>
         <source>length of the gradient&apos;s line</source>
-        <translation>toningslinjens längd</translation>
+        <translation>längden på övergångens linje</translation>
     </message>
     <message>
         <source>no paint has been copied that could be pasted.</source>
@@ -2723,7 +2723,7 @@
     </message>
     <message>
         <source>number of points of the gradient&apos;s line</source>
-        <translation>antalet punkter på toningslinjen</translation>
+        <translation>antalet punkter på övergångens linje</translation>
     </message>
     <message>
         <source>number of quarter turns</source>
@@ -2787,7 +2787,7 @@
     </message>
     <message>
         <source>a set needs a name.</source>
-        <translation>en sats behöver ett namn.</translation>
+        <translation>en uppsättning behöver ett namn.</translation>
     </message>
     <message>
         <source>change of the resolution</source>
@@ -2855,7 +2855,7 @@
     </message>
     <message>
         <source>expected at most %1 references.</source>
-        <translation>högst %1 referenser väntades.</translation>
+        <translation>här ska det stå högst %1 referenser.</translation>
     </message>
     <message>
         <source>first vanishing point</source>
@@ -3014,8 +3014,44 @@
         <translation>referensens y</translation>
     </message>
     <message>
-        <source>angle of the cloth</source>
-        <translation>tygets vinkel</translation>
+        <source>a group of layers cannot be clipped; its layers can.</source>
+        <translation>en grupp av lager kan inte begränsas till ett lager; det kan dess lager.</translation>
+    </message>
+    <message>
+        <source>a map has 4 numbers; here are %1.</source>
+        <translation>en avbildning har 4 tal; här är %1.</translation>
+    </message>
+    <message>
+        <source>a stroke that goes on says nothing of where it began.</source>
+        <translation>ett penseldrag som fortsätter säger inget om var det började.</translation>
+    </message>
+    <message>
+        <source>holds a cell that is not masked.</source>
+        <translation>innehåller en cell som inte är maskerad.</translation>
+    </message>
+    <message>
+        <source>radius of the feather</source>
+        <translation>radien för den mjuka kanten</translation>
+    </message>
+    <message>
+        <source>share of the dry paint</source>
+        <translation>andelen av den torra färgen</translation>
+    </message>
+    <message>
+        <source>the medium in hand leaves next to nothing when it dries.</source>
+        <translation>mediet i handen lämnar nästan ingenting när det torkar.</translation>
+    </message>
+    <message>
+        <source>there is no dry paint on &quot;%1&quot; to adjust.</source>
+        <translation>det finns ingen torr färg på ”%1” att justera.</translation>
+    </message>
+    <message>
+        <source>thickness of the glaze</source>
+        <translation>lasyrens tjocklek</translation>
+    </message>
+    <message>
+        <source>width of the cloth&apos;s threads</source>
+        <translation>bredd på dukens trådar</translation>
     </message>
 </context>
 <context>
@@ -3289,7 +3325,7 @@
     </message>
     <message>
         <source>wet, inactive</source>
-        <translation>våt, sover</translation>
+        <translation>våt, inaktiv</translation>
     </message>
     <message>
         <source>A group: its eye, its lock and its opacity hold for all of its layers</source>
@@ -3555,6 +3591,10 @@
     <message>
         <source>Click to lock what is bare: tools change only what has paint</source>
         <translation>Klicka för att låsa det som är bart: verktygen ändrar bara det som har färg</translation>
+    </message>
+    <message>
+        <source>Clipped to the layer below: of its paint, only what lies over paint of that layer shows. The rest is hidden, and kept</source>
+        <translation>Begränsat till lagret under: av dess färg syns bara det som ligger över det lagrets färg. Resten är dold och finns kvar</translation>
     </message>
 </context>
 <context>
@@ -4758,10 +4798,6 @@
     <message>
         <source>Draw around what tools keep to; Shift adds, Alt takes away</source>
         <translation>Rita runt det som verktygen ska hålla sig inom; Shift lägger till, Alt tar bort</translation>
-    </message>
-    <message>
-        <source>&amp;Everything</source>
-        <translation>&amp;Allt</translation>
     </message>
     <message>
         <source>End the selection: tools work on all of the canvas</source>
@@ -6155,6 +6191,34 @@
         <source>Pictures to look at while you paint, and to pick colours from</source>
         <translation>Bilder att titta på medan du målar, och hämta kulörer från</translation>
     </message>
+    <message>
+        <source>Ad&amp;just dry paint...</source>
+        <translation>&amp;Justera torr färg...</translation>
+    </message>
+    <message>
+        <source>Colour adjustment of what is dry: a glaze over it, or another hue by other pigments</source>
+        <translation>Färgjustering av det torra: en lasyr över det, eller en annan kulör genom andra pigment</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ip to the layer below</source>
+        <translation>Begränsa t&amp;ill lagret under</translation>
+    </message>
+    <message>
+        <source>Show the layer only where the one below has paint; the rest is hidden, and kept</source>
+        <translation>Visa lagret bara där lagret under har färg; resten döljs och finns kvar</translation>
+    </message>
+    <message>
+        <source>E&amp;verything</source>
+        <translation>A&amp;llt</translation>
+    </message>
+    <message>
+        <source>F&amp;eather...</source>
+        <translation>M&amp;juk kant...</translation>
+    </message>
+    <message>
+        <source>Make the edge of the selection soft, so that paint fades out there</source>
+        <translation>Gör markeringens kant mjuk, så att färgen tonar ut där</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6200,6 +6264,69 @@
     <message>
         <source>Save as...</source>
         <translation>Spara som...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::AdjustDialog</name>
+    <message>
+        <source>The medium in hand leaves next to nothing when it dries.</source>
+        <translation>Mediet i handen lämnar nästan ingenting när det torkar.</translation>
+    </message>
+    <message>
+        <source>Adjust dry paint</source>
+        <translation>Justera torr färg</translation>
+    </message>
+    <message>
+        <source>The dry paint of the layer that you paint on takes another colour, where it is selected or all over. Wet paint stays as it is.</source>
+        <translation>Den torra färgen på lagret som du målar på får en annan kulör, där det är markerat eller överallt. Våt färg förblir som den är.</translation>
+    </message>
+    <message>
+        <source>As a glaze</source>
+        <translation>Som en lasyr</translation>
+    </message>
+    <message>
+        <source>As other pigments</source>
+        <translation>Som andra pigment</translation>
+    </message>
+    <message>
+        <source>Adjust</source>
+        <translation>Justera</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Tjocklek</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Andel</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>The mean colour as it is</source>
+        <translation>Medelkulören som den är</translation>
+    </message>
+    <message>
+        <source>The mean colour after it is adjusted</source>
+        <translation>Medelkulören efter justeringen</translation>
+    </message>
+    <message>
+        <source>Before, after</source>
+        <translation>Före, efter</translation>
+    </message>
+    <message>
+        <source>A thin even coat of the paint in hand dries over it, and what lies below shows through. It is as thick as this when it is dry.</source>
+        <translation>Ett tunt jämnt skikt av färgen i handen torkar över det, och det som ligger under lyser igenom. Så här tjockt är det när det är torrt.</translation>
+    </message>
+    <message>
+        <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
+        <translation>Så mycket av den torra färgen tas bort och ersätts av färgen i handen, i fläckar som är för fina för att synas. Den förblir lika tjock.</translation>
     </message>
 </context>
 <context>
@@ -7456,6 +7583,10 @@
         <source>Texture laid</source>
         <translation>Textur lagd</translation>
     </message>
+    <message>
+        <source>Dry paint adjusted</source>
+        <translation>Torr färg justerad</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::glass</name>
@@ -7962,11 +8093,11 @@
     <name>pastoso::glass::LiquidPictureDialog</name>
     <message>
         <source>Pixels from left to right</source>
-        <translation>Bildpunkter från vänster till höger</translation>
+        <translation>Pixlar från vänster till höger</translation>
     </message>
     <message>
         <source>Pixels from top to bottom</source>
-        <translation>Bildpunkter uppifrån och ner</translation>
+        <translation>Pixlar uppifrån och ner</translation>
     </message>
     <message>
         <source>Ways of light for each pixel: four times as many, half the noise</source>
@@ -8846,6 +8977,29 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::DryAdjusting</name>
+    <message>
+        <source>The layer that you paint on has no dry paint.</source>
+        <translation>Lagret som du målar på har ingen torr färg.</translation>
+    </message>
+    <message>
+        <source>The layer that you paint on has no dry paint where it is selected.</source>
+        <translation>Lagret som du målar på har ingen torr färg där det är markerat.</translation>
+    </message>
+    <message>
+        <source>The glaze lies over the dry paint.</source>
+        <translation>Lasyren ligger över den torra färgen.</translation>
+    </message>
+    <message>
+        <source>The dry paint has other pigments in it.</source>
+        <translation>Den torra färgen har andra pigment i sig.</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>En inspelning spelas upp; färgen blir din igen när den är slut.</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::Exporting</name>
     <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
@@ -9221,7 +9375,7 @@
     </message>
     <message>
         <source>You have all paints of that set already.</source>
-        <translation>Du har redan alla färger i den satsen.</translation>
+        <translation>Du har redan alla färger i den uppsättningen.</translation>
     </message>
     <message numerus="yes">
         <source>%n paint(s) added to your own.</source>
@@ -9722,6 +9876,22 @@
         <source>Select</source>
         <translation>Markera</translation>
     </message>
+    <message>
+        <source>Feather the selection</source>
+        <translation>Mjuk kant på markeringen</translation>
+    </message>
+    <message>
+        <source>The edge becomes soft: paint fades out so far on either side of the outline.</source>
+        <translation>Kanten blir mjuk: färgen tonar ut så långt på båda sidor om konturen.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radie</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Mjuka upp</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::Studio</name>
@@ -9904,27 +10074,27 @@
     <name>pastoso::main::TubeCommands</name>
     <message>
         <source>Save the tubes as a set</source>
-        <translation>Spara tuberna som en sats</translation>
+        <translation>Spara tuberna som en uppsättning</translation>
     </message>
     <message>
         <source>Rename the set</source>
-        <translation>Byt namn på satsen</translation>
+        <translation>Byt namn på uppsättningen</translation>
     </message>
     <message>
         <source>Name of the set:</source>
-        <translation>Satsens namn:</translation>
+        <translation>Uppsättningens namn:</translation>
     </message>
     <message>
         <source>A set needs a name.</source>
-        <translation>En sats behöver ett namn.</translation>
+        <translation>En uppsättning behöver ett namn.</translation>
     </message>
     <message>
         <source>Type another name: that one is empty, or another set&apos;s.</source>
-        <translation>Skriv ett annat namn: det är tomt, eller en annan sats.</translation>
+        <translation>Skriv ett annat namn: det är tomt, eller en annan uppsättnings.</translation>
     </message>
     <message>
         <source>Export my sets of tubes</source>
-        <translation>Exportera mina tubsatser</translation>
+        <translation>Exportera mina tubuppsättningar</translation>
     </message>
     <message>
         <source>my-tubes.json</source>
@@ -9932,7 +10102,7 @@
     </message>
     <message>
         <source>Sets of tubes (*.json)</source>
-        <translation>Tubsatser (*.json)</translation>
+        <translation>Tubuppsättningar (*.json)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -9940,17 +10110,17 @@
     </message>
     <message>
         <source>Import sets of tubes</source>
-        <translation>Importera tubsatser</translation>
+        <translation>Importera tubuppsättningar</translation>
     </message>
     <message>
         <source>You have all sets of that file already.</source>
-        <translation>Du har redan alla satser i den filen.</translation>
+        <translation>Du har redan alla uppsättningar i den filen.</translation>
     </message>
     <message numerus="yes">
         <source>%n set(s) added to your own.</source>
         <translation>
-            <numerusform>%n sats lades till dina egna.</numerusform>
-            <numerusform>%n satser lades till dina egna.</numerusform>
+            <numerusform>%n uppsättning lades till dina egna.</numerusform>
+            <numerusform>%n uppsättningar lades till dina egna.</numerusform>
         </translation>
     </message>
     <message>
@@ -10596,7 +10766,7 @@
     </message>
     <message>
         <source>nib</source>
-        <translation>penna</translation>
+        <translation>pennspets</translation>
     </message>
     <message>
         <source>Teeth</source>
@@ -10723,7 +10893,7 @@
     </message>
     <message>
         <source>Analogous</source>
-        <translation>Analog</translation>
+        <translation>Närliggande</translation>
     </message>
     <message>
         <source>Triad</source>
@@ -11310,7 +11480,7 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
     </message>
     <message>
         <source>Lies on the canvas</source>
-        <translation>Ligger på duken</translation>
+        <translation>På duken</translation>
     </message>
 </context>
 <context>
@@ -11338,6 +11508,10 @@ Tangenter: Page Up och Page Down väljer, pilarna flyttar, Insert lägger till, 
     <message>
         <source>what is bare is locked</source>
         <translation>det som är bart är låst</translation>
+    </message>
+    <message>
+        <source>clipped to the layer below</source>
+        <translation>begränsat till lagret under</translation>
     </message>
 </context>
 <context>
@@ -11780,11 +11954,11 @@ Som verktyget i handen lägger den (%4 mm), utdragen tunt över vitt och över s
     </message>
     <message>
         <source>Put into a set</source>
-        <translation>Lägg i en sats</translation>
+        <translation>Lägg i en uppsättning</translation>
     </message>
     <message>
         <source>Take out of this set</source>
-        <translation>Ta ur den här satsen</translation>
+        <translation>Ta ur den här uppsättningen</translation>
     </message>
 </context>
 <context>
@@ -12124,7 +12298,7 @@ Dubbelklick, 0: hela tavlan</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
-        <translation>%1, %2 mm</translation>
+        <translation>%1; %2 mm</translation>
     </message>
     <message>
         <source>paused</source>
@@ -12259,7 +12433,7 @@ Dra: flytta bilden
     <name>pastoso::panels::TubeMenu</name>
     <message>
         <source>Which tubes are shown: all of them, or a set of yours</source>
-        <translation>Vilka tuber som visas: alla, eller en av dina satser</translation>
+        <translation>Vilka tuber som visas: alla, eller en av dina uppsättningar</translation>
     </message>
     <message>
         <source>All tubes</source>
@@ -12267,15 +12441,15 @@ Dra: flytta bilden
     </message>
     <message>
         <source>Save as a set...</source>
-        <translation>Spara som en sats...</translation>
+        <translation>Spara som uppsättning...</translation>
     </message>
     <message>
         <source>Rename the set...</source>
-        <translation>Byt namn på satsen...</translation>
+        <translation>Byt namn på uppsättningen...</translation>
     </message>
     <message>
         <source>Remove the set</source>
-        <translation>Ta bort satsen</translation>
+        <translation>Ta bort uppsättningen</translation>
     </message>
     <message>
         <source>Squeeze these onto the mixing well</source>
@@ -12283,11 +12457,11 @@ Dra: flytta bilden
     </message>
     <message>
         <source>Import sets...</source>
-        <translation>Importera satser...</translation>
+        <translation>Importera uppsättningar...</translation>
     </message>
     <message>
         <source>Export my sets...</source>
-        <translation>Exportera mina satser...</translation>
+        <translation>Exportera mina uppsättningar...</translation>
     </message>
     <message>
         <source>Squeeze out the last painting&apos;s palette</source>

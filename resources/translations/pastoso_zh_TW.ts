@@ -3014,8 +3014,44 @@
         <translation>參考圖片的 y</translation>
     </message>
     <message>
-        <source>angle of the cloth</source>
-        <translation>布面角度</translation>
+        <source>a group of layers cannot be clipped; its layers can.</source>
+        <translation>群組無法剪裁；其中的圖層可以。</translation>
+    </message>
+    <message>
+        <source>a map has 4 numbers; here are %1.</source>
+        <translation>變換需有 4 個數字；此處有 %1 個。</translation>
+    </message>
+    <message>
+        <source>a stroke that goes on says nothing of where it began.</source>
+        <translation>接續的筆觸不說明它從哪裡開始。</translation>
+    </message>
+    <message>
+        <source>holds a cell that is not masked.</source>
+        <translation>含有未遮蓋的格子。</translation>
+    </message>
+    <message>
+        <source>radius of the feather</source>
+        <translation>羽化的半徑</translation>
+    </message>
+    <message>
+        <source>share of the dry paint</source>
+        <translation>乾顏料的比例</translation>
+    </message>
+    <message>
+        <source>the medium in hand leaves next to nothing when it dries.</source>
+        <translation>手上的媒材乾了以後幾乎什麼都不留。</translation>
+    </message>
+    <message>
+        <source>there is no dry paint on &quot;%1&quot; to adjust.</source>
+        <translation>「%1」上沒有可以調整的乾顏料。</translation>
+    </message>
+    <message>
+        <source>thickness of the glaze</source>
+        <translation>罩染的厚度</translation>
+    </message>
+    <message>
+        <source>width of the cloth&apos;s threads</source>
+        <translation>畫布紗線的寬度</translation>
     </message>
 </context>
 <context>
@@ -3555,6 +3591,10 @@
     <message>
         <source>Click to lock what is bare: tools change only what has paint</source>
         <translation>按一下可鎖定空白處：工具只改變有顏料的地方</translation>
+    </message>
+    <message>
+        <source>Clipped to the layer below: of its paint, only what lies over paint of that layer shows. The rest is hidden, and kept</source>
+        <translation>已剪裁至下方圖層：只顯示位於該圖層顏料上的部分，其餘隱藏但保留</translation>
     </message>
 </context>
 <context>
@@ -4760,10 +4800,6 @@
         <translation>圈出工具可作用的範圍；Shift 增加，Alt 減去</translation>
     </message>
     <message>
-        <source>&amp;Everything</source>
-        <translation>全部(&amp;E)</translation>
-    </message>
-    <message>
         <source>End the selection: tools work on all of the canvas</source>
         <translation>取消選取：工具可作用於整張畫布</translation>
     </message>
@@ -5861,7 +5897,7 @@
     </message>
     <message>
         <source>Scale image to &amp;new size...</source>
-        <translation>縮放圖片到新尺寸(&amp;N)...</translation>
+        <translation>縮放影像到新尺寸(&amp;N)...</translation>
     </message>
     <message>
         <source>Draw the whole painting out, or make it of finer or coarser pixels</source>
@@ -6155,6 +6191,34 @@
         <source>Pictures to look at while you paint, and to pick colours from</source>
         <translation>作畫時可供觀察和取色的圖片</translation>
     </message>
+    <message>
+        <source>Ad&amp;just dry paint...</source>
+        <translation>調整乾顏料(&amp;J)...</translation>
+    </message>
+    <message>
+        <source>Colour adjustment of what is dry: a glaze over it, or another hue by other pigments</source>
+        <translation>調整乾顏料的顏色：上面加一層罩染，或換用其他色料改變色相</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ip to the layer below</source>
+        <translation>剪裁至下方圖層(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show the layer only where the one below has paint; the rest is hidden, and kept</source>
+        <translation>只在下方圖層有顏料處顯示此圖層；其餘部分隱藏但保留</translation>
+    </message>
+    <message>
+        <source>E&amp;verything</source>
+        <translation>全部(&amp;V)</translation>
+    </message>
+    <message>
+        <source>F&amp;eather...</source>
+        <translation>羽化(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>Make the edge of the selection soft, so that paint fades out there</source>
+        <translation>讓選取範圍的邊緣變柔，使顏料在那裡漸漸淡出</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6199,6 +6263,69 @@
     <message>
         <source>Save as...</source>
         <translation>另存新檔...</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::dialogs::AdjustDialog</name>
+    <message>
+        <source>The medium in hand leaves next to nothing when it dries.</source>
+        <translation>手上的媒材乾了以後幾乎什麼都不留。</translation>
+    </message>
+    <message>
+        <source>Adjust dry paint</source>
+        <translation>調整乾顏料</translation>
+    </message>
+    <message>
+        <source>The dry paint of the layer that you paint on takes another colour, where it is selected or all over. Wet paint stays as it is.</source>
+        <translation>正在畫的圖層上，選取範圍或整張畫布的乾顏料會換成另一種顏色；濕顏料保持不變。</translation>
+    </message>
+    <message>
+        <source>As a glaze</source>
+        <translation>作為罩染</translation>
+    </message>
+    <message>
+        <source>As other pigments</source>
+        <translation>換成其他色料</translation>
+    </message>
+    <message>
+        <source>Adjust</source>
+        <translation>調整</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>The mean colour as it is</source>
+        <translation>現在的平均顏色</translation>
+    </message>
+    <message>
+        <source>The mean colour after it is adjusted</source>
+        <translation>調整後的平均顏色</translation>
+    </message>
+    <message>
+        <source>Before, after</source>
+        <translation>調整前、調整後</translation>
+    </message>
+    <message>
+        <source>A thin even coat of the paint in hand dries over it, and what lies below shows through. It is as thick as this when it is dry.</source>
+        <translation>手上的顏料在上面乾成一層均勻的薄膜，下方仍會透出來。這是乾了以後的厚度。</translation>
+    </message>
+    <message>
+        <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
+        <translation>這個比例的乾顏料會被取走，以細到看不見的斑點換成手上的顏料；厚度不變。</translation>
     </message>
 </context>
 <context>
@@ -6884,7 +7011,7 @@
     </message>
     <message>
         <source>Scale the image</source>
-        <translation>縮放圖片</translation>
+        <translation>縮放影像</translation>
     </message>
     <message>
         <source>Other units may be typed as well: 50 cm, 20 in</source>
@@ -6916,7 +7043,7 @@
     </message>
     <message>
         <source>The image has this size and this resolution.</source>
-        <translation>圖片已經是這個尺寸和解析度。</translation>
+        <translation>影像已經是這個尺寸和解析度。</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
@@ -7450,6 +7577,10 @@
     <message>
         <source>Texture laid</source>
         <translation>已鋪肌理</translation>
+    </message>
+    <message>
+        <source>Dry paint adjusted</source>
+        <translation>已調整乾顏料</translation>
     </message>
 </context>
 <context>
@@ -8837,6 +8968,29 @@
     </message>
 </context>
 <context>
+    <name>pastoso::main::DryAdjusting</name>
+    <message>
+        <source>The layer that you paint on has no dry paint.</source>
+        <translation>正在畫的圖層上沒有乾顏料。</translation>
+    </message>
+    <message>
+        <source>The layer that you paint on has no dry paint where it is selected.</source>
+        <translation>正在畫的圖層的選取範圍內沒有乾顏料。</translation>
+    </message>
+    <message>
+        <source>The glaze lies over the dry paint.</source>
+        <translation>罩染已鋪在乾顏料上。</translation>
+    </message>
+    <message>
+        <source>The dry paint has other pigments in it.</source>
+        <translation>乾顏料裡已換成其他色料。</translation>
+    </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>正在播放錄製內容；結束後就能使用顏料。</translation>
+    </message>
+</context>
+<context>
     <name>pastoso::main::Exporting</name>
     <message>
         <source>Exported %1 and %2 more; heights from %3 mm (black) to %4 mm (white).</source>
@@ -9708,6 +9862,22 @@
     <message>
         <source>Select</source>
         <translation>選取</translation>
+    </message>
+    <message>
+        <source>Feather the selection</source>
+        <translation>羽化選取範圍</translation>
+    </message>
+    <message>
+        <source>The edge becomes soft: paint fades out so far on either side of the outline.</source>
+        <translation>邊緣會變柔：顏料在外框線兩側這麼寬的範圍內漸漸淡出。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半徑</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>羽化</translation>
     </message>
 </context>
 <context>
@@ -11318,6 +11488,10 @@ Keys: Page Up and Page Down choose, arrows move, Insert adds, Delete takes away.
     <message>
         <source>what is bare is locked</source>
         <translation>空白處已鎖定</translation>
+    </message>
+    <message>
+        <source>clipped to the layer below</source>
+        <translation>已剪裁至下方圖層</translation>
     </message>
 </context>
 <context>
