@@ -75,7 +75,7 @@ layers::Resampling resampling_of(const ScaleCanvas& scale, const CanvasSettings&
 BareCanvas scaled(const ScaleCanvas& scale, const BareCanvas& bare, core::ThreadPool& pool);
 
 /// What becomes of the settings of a canvas on which everything is turned, the cloth with it, which then
-/// lies askew; an image is no cloth. Throws InputError as check_canvas() does.
+/// has a map; an image is no cloth. Throws InputError as check_canvas() does.
 CanvasSettings rotated(const RotateCanvas& rotate, CanvasSettings settings);
 
 /// About the middle of the cells that there were, which comes to that of the cells there will be.

@@ -1,5 +1,6 @@
 #include "document/cloth.hpp"
 
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "document/canvas.hpp"
 #include "layers/resampling.hpp"
@@ -37,7 +38,20 @@ film::SupportHeights woven(const CanvasSettings& settings, const grid::Rect& cel
     return turn == core::Orientation{} ? heights : layers::turned(heights, turn, pool);
 }
 
-/// Those that the map brings onto a canvas, and some around them.
+/// More cells than the canvas has need not be woven many times over. Throws InputError.
+void check_can_be_woven(double width, double height, const grid::Shape& canvas) {
+    constexpr double kMostTimes = 64.0, kMostSide = 1e9, kSmall = 64.0;
+    const double most = kMostTimes * (canvas.width + kSmall) * (canvas.height + kSmall);
+    if (width < kMostSide && height < kMostSide && width * height <= most) return;
+    throw core::InputError(
+        "The cloth has been drawn out too unevenly: for a canvas of %1 x %2 cells, %3 x %4 would have "
+        "to "
+        "be woven.",
+        canvas.width, canvas.height, width, height);
+}
+
+/// Those that the map brings onto a canvas, and some around them. Throws InputError where they are far
+/// too many.
 grid::Rect cells_before(const layers::Projective& map, const grid::Shape& canvas) {
     constexpr double kAround = 2.0;
     const layers::Projective back = layers::inverse(map);
@@ -50,6 +64,7 @@ grid::Rect cells_before(const layers::Projective& map, const grid::Shape& canvas
             x1 = std::max(x1, corner.x + kAround);
             y1 = std::max(y1, corner.y + kAround);
         }
+    check_can_be_woven(std::ceil(x1 - x0), std::ceil(y1 - y0), canvas);
     return {static_cast<int>(std::floor(x0)), static_cast<int>(std::floor(y0)),
             static_cast<int>(std::ceil(x1)), static_cast<int>(std::ceil(y1))};
 }

@@ -455,6 +455,8 @@ LayerPaint LayeredCanvas::lay_ground(const std::string& name, film::FilmState gr
     LayerPaint taken = paint_on(ground);
     rearrange([&](LayerStack& stack) {
         check_room(stack);
+        for (std::size_t place = 0; place < stack.layers.size(); ++place)
+            if (!clipped_to(stack, place)) stack.layers[place].look.clipped = false;
         stack.layers.insert(stack.layers.begin(), Layer{.id = stack.next_layer++,
                                                         .look = {.name = name},
                                                         .inactive = inactive_film(std::move(ground))});

@@ -102,10 +102,10 @@ class LayeredCanvas {
     LayerPaint merge_down(const MergeDown& merge);        ///< what was hidden, and is wiped off
     LayerPaint flatten();                                 ///< the same
     LayerPaint paint_picture(const PaintPicture& paint);  ///< what came out of the tubes
-    /// Puts a film that is apart from what it lies on onto the active layer. What came out of the tubes.
-    /// Below all layers, on one of that name. Returns what it holds.
+    /// Puts a film that is apart from what it lies on below all layers, as one of that name. What came
+    /// out of the tubes.
     LayerPaint lay_ground(const std::string& name, film::FilmState ground);
-    LayerPaint pour(const film::FilmState& poured);
+    LayerPaint pour(const film::FilmState& poured);  ///< onto the active layer; the same
     /// Adjusts what is dry on the active layer (layers::adjusted()). Throws InputError where nothing is.
     AdjustedPaint adjust_dry(const film::PaintCoefficients& paint, const layers::Adjustment& adjustment,
                              const grid::Mask* where);

@@ -148,6 +148,10 @@ void check_unlocked(const LayerStack& stack, std::size_t place) {
 
 void check_paintable(const LayerStack& stack, std::size_t place) {
     check_unlocked(stack, place);
+    const auto base = clipped_to(stack, place);
+    if (base && stack.layers[place].look.visible && !stack.layers[*base].look.visible)
+        throw core::InputError("the layer \"%1\" is clipped to \"%2\", which is hidden.",
+                               stack.layers[place].look.name, stack.layers[*base].look.name);
     if (!effective_look(stack, place).visible)
         throw core::InputError("the layer \"%1\" is hidden.", stack.layers[place].look.name);
 }

@@ -119,9 +119,10 @@ void LivingPainting::finish_contacts() {
         touched->wake(cells);
         touches = touches || !cells.empty();
     }
+    const film::FilmState& film = begun->surface == Surface::Well ? *value.well : value.film;
     const std::vector<film::AirJet> jets = stroke->air_jets();
     for (const film::AirJet& jet : jets)
-        touches = touches || !film::cells_reached(jet, value.film.shape, value.film.cell_mm).empty();
+        touches = touches || !film::cells_reached(jet, film.shape, film.cell_mm).empty();
     touched->set_air(jets);
     value.flows.wiped += stroke->take_thrown_away();
     if (touches) remember_awaited_step();

@@ -98,6 +98,7 @@ struct LivingPainting {
     std::optional<StrokeBegun> begun;  ///< as long as there is a stroke
     std::optional<AwaitedStep> awaited_step;  ///< of a stroke that has touched nothing yet
     std::int64_t late_strokes = 0;            ///< that touched after they had begun beside
+    const ActionTraits* latest = nullptr;     ///< of the latest action that was carried out
     std::uint64_t brush_touches = 0;
     std::optional<ResizedCanvas> ready_canvas;       ///< Painting::have_ready()
     std::shared_ptr<const LayerStack> layers_shown;  ///< in the latest snapshot

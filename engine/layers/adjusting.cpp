@@ -183,8 +183,9 @@ std::vector<StrataTile> opened_tiles(FilmState& layer, const grid::Mask* where) 
     std::vector<StrataTile> tiles;
     film::Strata& strata = layer.strata;
     for (int tile = 0; tile < layer.shape.tile_count(); ++tile) {
-        if (!holds_dry_paint(layer, tile)) continue;
-        if (where != nullptr && grid::chooses_none(*where, tile)) continue;
+        bool any = false;
+        for_each_dry_cell(layer, where, tile, [&](int, std::uint8_t) { any = true; });
+        if (!any) continue;
         tiles.push_back({tile, layer.support_mm.write(tile), strata.soluble_thickness.write(tile),
                          strata.soluble_pigment.write(tile), strata.optics.write(tile),
                          strata.uppermost.write(tile)});

@@ -16,15 +16,15 @@ struct Division {
     std::int32_t part, whole;
     bool rest;
 
-    std::int32_t share_of(std::int32_t amount) const {
+    std::int32_t part_of(std::int32_t amount) const {
         return static_cast<std::int32_t>(std::int64_t{amount} * part / std::max(whole, 1));
     }
     std::int32_t of(std::int32_t amount) const {
-        return rest ? amount - share_of(amount) : share_of(amount);
+        return rest ? amount - part_of(amount) : part_of(amount);
     }
     /// Rounded down in the rest, too: together they are less by a quantum at most.
     std::int32_t at_most(std::int32_t amount) const {
-        return rest ? Division{whole - part, whole, false}.share_of(amount) : share_of(amount);
+        return rest ? Division{whole - part, whole, false}.part_of(amount) : part_of(amount);
     }
 };
 

@@ -72,7 +72,10 @@ const FilmState& Clipper::shown(const FilmState& layer, const FilmState& onto) {
 bool Clipper::find_painted(int tile, const FilmState& onto) {
     const ChosenCells painted = painted_in(onto, tile);
     if (std::equal(painted.begin(), painted.end(), painted_.read(tile))) return false;
-    painted_.replace(tile, grid::TileBlock<std::uint8_t>::copy_of(painted.data()));
+    if (std::find(painted.begin(), painted.end(), grid::kWhole) == painted.end())
+        painted_.reset(tile);
+    else
+        painted_.replace(tile, grid::TileBlock<std::uint8_t>::copy_of(painted.data()));
     return true;
 }
 

@@ -27,7 +27,7 @@ inline constexpr std::size_t kEntryBytes = std::size_t{4} << 20;
 /// No reader takes more.
 inline constexpr std::size_t kMostIndexBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMostSetupBytes = std::size_t{4} << 20;
-inline constexpr std::size_t kMostMaskBytes = std::size_t{512} << 20;
+inline constexpr std::size_t kMostMaskBytes = std::size_t{1} << 30;
 inline constexpr std::size_t kMostTracingBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMostReferenceBytes = std::size_t{512} << 20;  ///< of each
 inline constexpr std::size_t kMostStrokesBytes = std::size_t{512} << 20;

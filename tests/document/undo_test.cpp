@@ -250,6 +250,22 @@ TEST_F(UndoBeside, AirThatReachesTheCanvasTouchesIt) {
     EXPECT_EQ(painting.undo_steps().size(), 2U);
 }
 
+/// The well is 120 x 90 mm, the canvas another size.
+TEST_F(UndoBeside, AirThatReachesTheWellTouchesIt) {
+    painting.apply(SqueezePaint{{{{"PB29", 1.0}}, 1.0}, 100.0, 45.0, 200.0});
+    painting.apply(Undo{});
+    painting.apply(TakeBrush{"Air blower 40", 20, 1});
+    const auto blow = [&](double x_mm) {
+        painting.apply(
+            PenDown{.sample = {0.0, 300.0, 45.0, 0.5}, .surface = Surface::Well, .beside = true});
+        painting.apply(PenMove{{0.1, x_mm, 45.0, 0.5}});
+        painting.apply(PenUp{});
+        return painting.late_strokes();
+    };
+    EXPECT_EQ(blow(200.0), 0);
+    EXPECT_EQ(blow(100.0), 1);
+}
+
 TEST_F(UndoBeside, UndoDuringItTakesBackWhatWasBefore) {
     painting.apply(PenDown{.sample = {0.0, -30.0, 15.0, 0.5}, .beside = true});
     painting.apply(Undo{});

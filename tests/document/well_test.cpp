@@ -184,8 +184,17 @@ TEST_F(WellTest, WhatIsSqueezedOutTogetherIsOneStep) {
     painting.apply(Undo{});
     painting.apply(joined(squeeze_of("PW6", 60, 45)));
     EXPECT_FALSE(painting.can_redo()) << "that would lose what joined";
+    EXPECT_EQ(painting.undo_steps().size(), 2U) << "it did not come right after the one before";
     painting.apply(Undo{});
-    EXPECT_EQ(well_mm3(), 0.0);
+    EXPECT_EQ(painting.state_hash(), one);
+}
+
+/// A recording does not have it.
+TEST_F(WellTest, WhatWasRefusedIsAsIfItHadNotBeen) {
+    painting.apply(squeeze_of("PY35", 30, 40));
+    EXPECT_THROW(painting.apply(squeeze_of("PX99", 60, 20)), core::InputError);
+    painting.apply(joined(squeeze_of("PW6", 60, 45)));
+    EXPECT_EQ(painting.undo_steps().size(), 1U);
 }
 
 TEST_F(WellTest, WhatJoinsNothingOfItsKindIsAStepOfItsOwn) {

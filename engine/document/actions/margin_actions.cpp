@@ -1,6 +1,7 @@
 #include "document/actions/margin_actions.hpp"
 
 #include "document/living_painting.hpp"
+#include "grid/feathering.hpp"
 
 namespace pastoso::document {
 namespace {
@@ -29,8 +30,9 @@ bool changes_anything(const BorderSelection&, const LivingPainting& painting) {
     return is_limited(painting);
 }
 
-bool changes_anything(const FeatherSelection&, const LivingPainting& painting) {
-    return is_limited(painting);
+bool changes_anything(const FeatherSelection& feather, const LivingPainting& painting) {
+    return is_limited(painting) &&
+           feather.radius_mm / painting.value.film.cell_mm >= grid::kLeastFeather;
 }
 
 void apply(const GrowSelection& grow, LivingPainting& painting) {

@@ -30,7 +30,8 @@ UndoStep undo_step(const MaskStripe& stripe, const LivingPainting&) {
 }
 
 bool changes_anything(const MaskSelection&, const LivingPainting& painting) {
-    return painting.value.selection != nullptr;
+    const Selection& selection = painting.value.selection;
+    return selection != nullptr && grid::chosen_cells(grid::hardened(*selection)) > 0;
 }
 
 bool changes_anything(const SelectMasked&, const LivingPainting& painting) {

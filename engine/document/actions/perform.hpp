@@ -44,9 +44,9 @@ bool begins_beside(const A& action) {
 
 /// Whether it is part of the step of another one of its kind, right before it.
 template <class A>
-bool joins_latest(const A& action, const UndoStep& step, History& history) {
+bool joins_latest(const A& action, const UndoStep& step, const ActionTraits* before, History& history) {
     if constexpr (requires { action.joins; })
-        return action.joins && history.join_latest(step);
+        return action.joins && before == &Table<A>::kTraits && history.join_latest(step);
     else
         return false;
 }
@@ -74,12 +74,13 @@ void perform(const A& action, LivingPainting& painting) {
         if (begins_beside(action)) {
             painting.awaited_step = {std::move(before), std::move(step)};
             apply(action, painting);
-            return;
+        } else {
+            apply(action, painting);
+            if (!joins_latest(action, step, painting.latest, painting.history))
+                painting.history.remember(std::move(before), std::move(step));
         }
-        apply(action, painting);
-        if (!joins_latest(action, step, painting.history))
-            painting.history.remember(std::move(before), std::move(step));
     }
+    painting.latest = &Table<A>::kTraits;
 }
 
 }  // namespace pastoso::document

@@ -68,9 +68,7 @@ void apply(const SelectByWetness& wetness, LivingPainting& painting) {
 }
 
 void apply(const SelectPaint& paint, LivingPainting& painting) {
-    const PaintingValue& value = painting.value;
-    select(area_of(paint, value.film, base_below_active(value.layers, value.bare->support_mm)),
-           paint.how, painting);
+    select(area_of(paint, painting.value.film, painting.canvas.base_mm()), paint.how, painting);
 }
 
 void apply(const SelectSimilarColour& colour, LivingPainting& painting) {
