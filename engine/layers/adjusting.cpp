@@ -4,6 +4,7 @@
 #include "film/cell/cell_drying.hpp"
 #include "layers/cutting.hpp"
 #include "layers/dry_cells.hpp"
+#include "pigment/stirring.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,13 +135,14 @@ void exchange_fixed(double share, const DryPaint& paint, const StrataCell& cell,
     const std::int64_t quanta = std::llround(share * static_cast<double>(whole));
     if (quanta <= 0) return;
     for (int band = 0; band < pigment::kBands; ++band) {
-        const auto in_full = pigment::layer_optics(
-            static_cast<float>(paint.optical_thickness(band, whole)),
-            static_cast<float>(paint.optical_thickness(pigment::kBands + band, whole)));
-        film::set_optics(
-            band,
-            pigment::flecked(film::optics_of(cell.optics, band), in_full, static_cast<float>(share)),
-            cell.optics);
+        const pigment::OpticalThickness in_full{paint.optical_thickness(band, whole),
+                                                paint.optical_thickness(pigment::kBands + band, whole)};
+        const auto [r, t, q] = film::optics_of(cell.optics, band);
+        const auto mixed = pigment::stirred({r, t, q}, in_full, share);
+        film::set_optics(band,
+                         {static_cast<float>(mixed.reflectance), static_cast<float>(mixed.transmittance),
+                          static_cast<float>(mixed.reverse)},
+                         cell.optics);
     }
     cell.uppermost = exchanged(cell.uppermost, share, paint.wet());
     const DriedTotals added = paint.totals(quanta);

@@ -23,10 +23,9 @@ struct Glaze {
 /// A share s of the volume of what lies dry goes, and as much dry paint comes, of K / f and S / f per
 /// mm: the thickness stays. Of a stratum that can be dissolved, by volume,
 ///     K_k h' = (1 - s) K_k h + s (K_k / f) h,   S_k h' likewise.
-/// Of what is fixed only what it does to light is known. It becomes that of flecks (pigment::flecked()),
-///     R' = (1 - s) R + s R_new,   T' and Q' likewise,
-/// the new shares being those of a layer of the new paint (pigment::layer_optics()) as thick as all that
-/// is fixed there. A cell without thickness has nothing to exchange.
+/// Of what is fixed only what it does to light is known. It becomes that of the layer into which a layer
+/// of the new paint, as thick as all that is fixed there, is stirred to that share (pigment::stirred()).
+/// A cell without thickness has nothing to exchange.
 struct PaintExchange {
     double share = 0.5;  ///< 0 to 1
     friend bool operator==(const PaintExchange&, const PaintExchange&) = default;

@@ -102,14 +102,18 @@ TEST_F(Adjusting, AllOfItForTheSamePaintChangesNothingButRounding) {
     }
 }
 
-TEST_F(Adjusting, HalfOfItIsTheMeanOfBoth) {
-    lay_dry(0.03, kBlue);
-    const auto old_optics = optics(layer), new_optics = optics(after(PaintExchange{1.0}));
+TEST_F(Adjusting, HalfOfItIsStirredIntoTheOtherHalf) {
+    lay_dry(0.01, kBlue);
     const FilmState half = after(PaintExchange{0.5});
-    EXPECT_NE(new_optics, old_optics);
+    pigment::Coefficients mean{};
+    for (std::size_t k = 0; k < mean.size(); ++k)
+        mean[k] = 0.5F * (kBlue[k] + kRed[k]);
+    const film::StrataOptics expected =
+        film::laid_over(dried_cell(acrylic(mean), layer.support_mm.at(3, 4)).data(), film::kClearStrata);
+    EXPECT_NE(expected, optics(layer));
     for (int k = 0; k < 3 * pigment::kBands; ++k)
-        // Each of the three is rounded.
-        EXPECT_NEAR(optics(half)[k], 0.5 * (old_optics[k] + new_optics[k]), 1.0) << k;
+        // The layer before is known to a code of 65535.
+        EXPECT_NEAR(optics(half)[k], expected[k], 30) << k;
     EXPECT_EQ(half.support_mm.at(3, 4), layer.support_mm.at(3, 4));
     const pigment::Coefficients before = film::coefficients_of(layer.strata.uppermost.at(3, 4));
     const pigment::Coefficients after_it = film::coefficients_of(half.strata.uppermost.at(3, 4));
