@@ -1,13 +1,12 @@
 #include "tools/selecting.hpp"
 
+#include "layers/clipping.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace pastoso::tools {
 namespace {
-
-/// Less is what rounding leaves of a bare support.
-constexpr double kPaint_mm = 1e-4;
 
 const film::FilmState& active_film(const document::Snapshot& painting) {
     return painting.active != nullptr ? *painting.active : painting.film;
@@ -22,7 +21,7 @@ PaintDepths depths(grid::Shape shape, const Value& value_mm) {
         for (int y = cells.y0; y < cells.y1; ++y) {
             for (int x = cells.x0; x < cells.x1; ++x) {
                 const double value = value_mm(tile, grid::Shape::cell_in_tile(x, y));
-                if (value < kPaint_mm) continue;
+                if (value < layers::kLeastPaint_mm) continue;
                 sum_mm += value;
                 most_mm = std::max(most_mm, value);
                 ++count;
