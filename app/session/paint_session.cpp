@@ -481,8 +481,17 @@ bool PaintSession::pass_tick(const std::function<bool()>& cancelled) {
     // Ticks of paint at rest change nothing that anybody sees but that it dries.
     constexpr std::int64_t kQuietTicks = 180;
     changed_ = changed_ || painting_->film_report().cells_stepped != cells_before ||
+               painting_->late_strokes() != late_strokes_ ||
                painting_->tick() % kQuietTicks == 0;
     return passed;
+}
+
+/// Whether steps have come or gone since they were asked for last. A stroke that began beside becomes one
+/// while the pen moves, or blows, on.
+bool PaintSession::take_changed_steps() {
+    const std::int64_t late = painting_->late_strokes();
+    const bool came_late = std::exchange(late_strokes_, late) != late;
+    return std::exchange(steps_changed_, false) || came_late;
 }
 
 void PaintSession::publish() {
@@ -491,7 +500,7 @@ void PaintSession::publish() {
     auto snapshot = std::make_shared<const document::Snapshot>(std::move(taken));
     const film::AdvanceReport report = painting_->film_report();
     std::shared_ptr<const Steps> steps;
-    if (std::exchange(steps_changed_, false))
+    if (take_changed_steps())
         steps = std::make_shared<const Steps>(Steps{painting_->undo_steps(), painting_->redo_steps()});
     {
         const std::lock_guard lock(mutex_);

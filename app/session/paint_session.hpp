@@ -168,6 +168,7 @@ class PaintSession {
     bool pass_tick(const std::function<bool()>& cancelled);
     void pass_rest();
     void note_rest();
+    bool take_changed_steps();
     void publish();
     bool may_wait() const;
     double speed_now() const;
@@ -194,6 +195,7 @@ class PaintSession {
     bool at_rest_ = false;  ///< nothing happens but that time passes
     bool changed_ = false;
     bool steps_changed_ = false;
+    std::int64_t late_strokes_ = 0;  ///< of the painting, when its steps were published last
     bool hurries_ = false;
     bool needs_no_steps_ = false, keeps_no_steps_ = false;  ///< to return to
     std::optional<std::size_t> budget_bytes_;  ///< for steps, where it is not the painting's own

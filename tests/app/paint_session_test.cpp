@@ -105,6 +105,23 @@ TEST(PaintSession, AStrokeThroughTheQueueLeavesPaint) {
     EXPECT_TRUE(session->take_errors().empty());
 }
 
+TEST(PaintSession, AStrokeFromBesideIsAStepAsSoonAsItTouches) {
+    const auto session = start_session();
+    hold_still(*session);
+    take_loaded_brush(*session);
+    session->post(PenDown{sample_at(0.0, -60.0, 15.0), Surface::Canvas, true});
+    session->wait_until_applied();
+    const std::size_t before = session->steps()->past.size();
+    for (int i = 1; i <= 25; ++i)
+        session->post(PenMove{sample_at(0.01 * i, -60.0 + 4.0 * i, 15.0)});
+    session->wait_until_applied();
+    EXPECT_TRUE(session->status().stroke_in_progress);
+    EXPECT_EQ(session->steps()->past.size(), before + 1);
+    session->post(PenUp{});
+    session->wait_until_applied();
+    EXPECT_EQ(session->steps()->past.size(), before + 1);
+}
+
 TEST(PaintSession, LayersArePublishedOnlyWhenSomethingAboutThemChanges) {
     const auto session = start_session();
     take_loaded_brush(*session);
