@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "document/actions/actions.hpp"
+#include "document/masking.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -167,15 +168,14 @@ bool is_bare(const film::FilmState& film, int tile) {
 
 grid::Rect painted_cells(const document::Snapshot& painting) {
     const film::FilmState& film = painting.active != nullptr ? *painting.active : painting.film;
-    const grid::Mask* selection = painting.selection.get();
+    const document::Selection moved = document::without_masked(painting.selection, painting.masking);
     grid::Rect found{};
     for (int tile = 0; tile < film.shape.tile_count(); ++tile) {
-        if (is_bare(film, tile) || (selection != nullptr && grid::chooses_none(*selection, tile)))
-            continue;
+        if (is_bare(film, tile) || (moved != nullptr && grid::chooses_none(*moved, tile))) continue;
         const grid::Rect cells = film.shape.tile_cells(tile);
         for (int y = cells.y0; y < cells.y1; ++y)
             for (int x = cells.x0; x < cells.x1; ++x) {
-                const bool chosen = selection == nullptr || selection->at(x, y) != 0;
+                const bool chosen = moved == nullptr || moved->at(x, y) != 0;
                 if (chosen && holds_paint(film, tile, grid::Shape::cell_in_tile(x, y)))
                     found = grid::bounding_box(found, {x, y, x + 1, y + 1});
             }

@@ -33,8 +33,8 @@ struct TransformFrame {
     friend bool operator==(const TransformFrame&, const TransformFrame&) = default;
 };
 
-/// The cells in which the active layer holds wet or dry paint, as far as they are selected; empty where
-/// there is none. Clear medium that has dried is not seen.
+/// The cells in which the active layer holds wet or dry paint, as far as they are selected and not
+/// masked; empty where there is none. Clear medium that has dried is not seen.
 grid::Rect painted_cells(const document::Snapshot& painting);
 
 /// A frame around cells, at most one cell wider: quarter turns of it bring cells onto cells.

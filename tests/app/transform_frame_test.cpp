@@ -258,6 +258,15 @@ TEST(TransformFrame, SurroundsThePaintThatIsSelected) {
     mask.set(5, 5, grid::kWhole);
     painting.selection = std::make_shared<const grid::Mask>(mask);
     EXPECT_EQ(painted_cells(painting), (grid::Rect{70, 41, 71, 42}));
+    // What is masked stays where it is.
+    mask.set(12, 30, grid::kWhole);
+    grid::Mask masked({100, 60});
+    masked.set(70, 41, grid::kWhole);
+    painting.selection = std::make_shared<const grid::Mask>(mask);
+    painting.masking.cells = std::make_shared<const grid::Mask>(masked);
+    EXPECT_EQ(painted_cells(painting), (grid::Rect{12, 30, 13, 31}));
+    painting.selection = nullptr;
+    EXPECT_EQ(painted_cells(painting), (grid::Rect{12, 30, 13, 31}));
     // Of several layers, that of the active one.
     painting.active = std::make_shared<const film::FilmState>(grid::Shape{100, 60}, kCell_mm);
     EXPECT_TRUE(painted_cells(painting).empty());

@@ -326,6 +326,20 @@ TEST_F(TransformWindow, OnlyWhatIsSelectedMoves) {
     EXPECT_EQ(hash(), film::state_hash(before->film));
 }
 
+TEST_F(TransformWindow, TheFrameLeavesOutWhatIsMasked) {
+    studio().easel().select(document::SelectArea{{{0, 0}, {15, 0}, {15, 40}, {0, 40}}});
+    settle();
+    give(Command::MaskSelection);
+    studio().easel().select(document::SelectAll{});
+    settle();
+    begin();
+    EXPECT_GE(handle(-1, 0).x, 14.75);
+    give(Command::PeelMasking);
+    wait_for([&] { return !frame().has_value(); });
+    begin();
+    EXPECT_LT(handle(-1, 0).x, 12.0);
+}
+
 TEST_F(TransformWindow, NothingIsPaintedWhileTheFrameIsUp) {
     begin();
     const std::size_t events = events_posted();

@@ -4,6 +4,7 @@
 #include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "dialogs/transform_dialog.hpp"
+#include "document/masking.hpp"
 #include "panels/pen/brush_panel.hpp"
 #include "session/layer_painter.hpp"
 
@@ -75,24 +76,29 @@ QImage picture_without_active(const document::Snapshot& painting, const QSize& s
     return picture;
 }
 
-/// As far as it is selected.
-QImage selected_part(QImage picture, const document::Snapshot& painting) {
+/// A part of a picture of the whole canvas, as far as the paint there moves.
+QImage moved_part(const QImage& picture, const QRect& part, const document::Snapshot& painting) {
+    QImage cut = picture.copy(part);
+    const document::Selection moved = document::without_masked(painting.selection, painting.masking);
+    if (moved == nullptr) return cut;
     const grid::Shape& shape = painting.film.shape;
     const double cells_x = static_cast<double>(shape.width) / picture.width();
     const double cells_y = static_cast<double>(shape.height) / picture.height();
-    for (int y = 0; painting.selection != nullptr && y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x) {
-            const std::uint8_t share = painting.selection->at(static_cast<int>((x + 0.5) * cells_x),
-                                                              static_cast<int>((y + 0.5) * cells_y));
+    const QRect seen = part & picture.rect();
+    for (int y = seen.top(); y <= seen.bottom(); ++y)
+        for (int x = seen.left(); x <= seen.right(); ++x) {
+            const std::uint8_t share =
+                moved->at(static_cast<int>((x + 0.5) * cells_x), static_cast<int>((y + 0.5) * cells_y));
             if (share == grid::kWhole) continue;
-            QColor colour = picture.pixelColor(x, y);
+            const QPoint place = QPoint(x, y) - part.topLeft();
+            QColor colour = cut.pixelColor(place);
             colour.setAlpha(colour.alpha() * share / grid::kWhole);
-            picture.setPixelColor(x, y, colour);
+            cut.setPixelColor(place, colour);
         }
-    return picture;
+    return cut;
 }
 
-/// What is selected of a picture of the whole canvas, as far as it is in the frame.
+/// What moves of a picture of the whole canvas, as far as it is in the frame.
 QImage part_in(const tools::TransformFrame& frame, const document::Snapshot& painting,
                const QImage& picture) {
     const auto pixel = [&](double place_mm, int pixels, int cells) {
@@ -103,7 +109,7 @@ QImage part_in(const tools::TransformFrame& frame, const document::Snapshot& pai
                        pixel(frame.corner_mm.y, picture.height(), shape.height));
     const QSize size(pixel(frame.size_mm.x, picture.width(), shape.width),
                      pixel(frame.size_mm.y, picture.height(), shape.height));
-    return selected_part(picture, painting).copy(QRect(first, size.expandedTo({1, 1})));
+    return moved_part(picture, QRect(first, size.expandedTo({1, 1})), painting);
 }
 
 }  // namespace
@@ -138,8 +144,7 @@ void LayerTransform::begin() {
         return studio_.report(painting->selection == nullptr
                                   ? tr("There is no paint on this layer.")
                                   : tr("There is no paint of this layer in the selection."));
-    transforming_ = {painting->layers->layers[painting->layers->active].id, painting->selection,
-                     painting->bare};
+    transforming_ = active_part(*painting);
     studio_.commands().action(Command::TransformLayer)->setChecked(true);
     show(tools::frame_around(cells, painting->film.cell_mm), *painting);
 }
@@ -221,13 +226,11 @@ void LayerTransform::apply() {
     studio_.window().statusBar()->clearMessage();
 }
 
-/// A frame around paint of another layer, of what is selected no more or of another canvas is none.
+/// A frame around paint of another layer, of what is selected no more, or masked, or of another canvas
+/// is none.
 void LayerTransform::follow(const document::Snapshot& painting, const session::Status& status) {
     if (!transforming_) return;
-    const document::LayerStack& layers = *painting.layers;
-    const bool same = layers.layers[layers.active].id == transforming_->layer &&
-                      painting.selection == transforming_->selection &&
-                      painting.bare == transforming_->bare && problem_of(layers).isEmpty();
+    const bool same = active_part(painting) == *transforming_ && problem_of(*painting.layers).isEmpty();
     if (!same || status.replaying) cancel();
 }
 

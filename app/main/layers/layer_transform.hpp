@@ -1,10 +1,10 @@
 // The frame over the canvas that moves, scales and turns the paint of a layer.
 #pragma once
 
+#include "main/layers/active_part.hpp"
 #include "main/studio.hpp"
 #include "tools/transform_frame.hpp"
 
-#include <memory>
 #include <optional>
 
 #include <QObject>
@@ -44,13 +44,7 @@ class LayerTransform : public QObject {
     void follow(const document::Snapshot& painting, const session::Status& status);
 
     Studio& studio_;
-    /// What the frame stands around.
-    struct Transforming {
-        document::LayerId layer = 0;
-        document::Selection selection;
-        std::shared_ptr<const document::BareCanvas> bare;
-    };
-    std::optional<Transforming> transforming_;
+    std::optional<ActivePart> transforming_;  ///< what the frame stands around
     QPointer<dialogs::TransformDialog> dialog_;
 };
 
