@@ -17,6 +17,7 @@
 #include <QStatusBar>
 #include <QTest>
 #include <QToolButton>
+#include <glm/vec3.hpp>
 #include <gmock/gmock.h>
 
 namespace pastoso::tests {
@@ -96,6 +97,29 @@ class TransformWindow : public WindowTest {
     }
     std::uint64_t hash() { return film::state_hash(painting()->film); }
 
+    /// Of so many pixels around a place, whose weave is shaded.
+    glm::dvec3 mean_rgb(const glm::dvec2& place_mm) {
+        constexpr int kSide = 9;
+        const QImage seen = picture();
+        const QPoint middle =
+            (canvas().devicePixelRatioF() * canvas().widget_position(place_mm)).toPoint();
+        glm::dvec3 sum(0.0);
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const QColor colour =
+                seen.pixelColor(middle + QPoint(i % kSide - kSide / 2, i / kSide - kSide / 2));
+            sum += glm::dvec3(colour.red(), colour.green(), colour.blue());
+        }
+        return sum / static_cast<double>(kSide * kSide);
+    }
+    /// An even coat on a layer of its own.
+    void lay_dry_layer(const char* pigment, double thickness_mm) {
+        give(Command::AddLayer);
+        session().post(
+            document::FillWithPaint{.paint = {{{pigment, 1.0}}, 1.0}, .thickness_mm = thickness_mm});
+        settle();
+        give(Command::DryNow);
+    }
+
     /// Whether every cell holds what the cell that lies so much before it held.
     static void expect_moved(const film::FilmState& before, const film::FilmState& after, int x_cells,
                              int y_cells) {
@@ -160,17 +184,7 @@ TEST_F(TransformWindow, TheFrameShowsThePaintWhereItWouldLie) {
 }
 
 TEST_F(TransformWindow, NoShadeOfThePaintIsLeftWhereItLay) {
-    // Of so many pixels around a place, whose weave is shaded.
-    const auto mean_red = [&](const glm::dvec2& place_mm) {
-        constexpr int kSide = 9;
-        const QImage seen = picture();
-        const QPoint middle =
-            (canvas().devicePixelRatioF() * canvas().widget_position(place_mm)).toPoint();
-        int sum = 0;
-        for (int i = 0; i < kSide * kSide; ++i)
-            sum += qRed(seen.pixel(middle + QPoint(i % kSide - kSide / 2, i / kSide - kSide / 2)));
-        return static_cast<double>(sum) / (kSide * kSide);
-    };
+    const auto mean_red = [&](const glm::dvec2& place_mm) { return mean_rgb(place_mm).r; };
     const glm::dvec2 painted{15.0, 12.0}, beside{15.0, 24.0};
     const double lower = mean_red(painted), bare = mean_red(beside);
     begin();
@@ -185,6 +199,21 @@ TEST_F(TransformWindow, NoShadeOfThePaintIsLeftWhereItLay) {
     begin();
     drag(middle(), middle() + glm::dvec2(20.0, 15.0));
     EXPECT_LT(mean_red(painted), lower + 30.0) << "the layer below is seen again";
+}
+
+TEST_F(TransformWindow, AGlazeBelowIsSeenOverWhatItLiesOn) {
+    lay_dry_layer("PY74", 0.1);
+    lay_dry_layer("PB29", 0.02);
+    const glm::dvec2 painted{35.0, 22.0};
+    const double lower = mean_rgb(painted).b;
+    give(Command::AddLayer);
+    studio().easel().choose_paint({{{"PW6", 1.0}}, 1.0});
+    mouse_stroke(line_mm({30.0, 20.0}, {40.0, 24.0}));
+    settle();
+    EXPECT_GT(mean_rgb(painted).b, lower + 60.0) << "white lies on it";
+    begin();
+    drag(middle(), middle() + glm::dvec2(-15.0, 0.0));
+    EXPECT_LT(mean_rgb(painted).b, lower + 30.0) << "the glaze alone would be bluer";
 }
 
 TEST_F(TransformWindow, EscapeLeavesAllBits) {

@@ -3,13 +3,17 @@
 #include "appearance/picture_view.hpp"
 #include "appearance/shown_message.hpp"
 #include "core/error.hpp"
+#include "core/thread_pool.hpp"
 #include "dialogs/transform_dialog.hpp"
+#include "document/layered_canvas.hpp"
 #include "document/masking.hpp"
+#include "layers/apart.hpp"
 #include "panels/pen/brush_panel.hpp"
 #include "session/layer_painter.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <QAction>
 #include <QMainWindow>
@@ -47,32 +51,35 @@ QImage picture_of(const film::FilmState& film, const pigment::Bands& ground) {
         .convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 
-QImage active_picture(const document::Snapshot& painting) {
-    return picture_of(painting.active != nullptr ? *painting.active : painting.film, painting.ground);
+const film::FilmState& active_film(const document::Snapshot& painting) {
+    return painting.active != nullptr ? *painting.active : painting.film;
 }
 
-/// The canvas with all other layers that are shown; what is clipped to the active one goes with it.
-QImage picture_without_active(const document::Snapshot& painting, const QSize& size) {
+/// Of a layer what can be seen in those cells: the tiles that they are in.
+std::shared_ptr<const film::FilmState> film_around(const film::FilmState& layer,
+                                                   const grid::Rect& cells) {
+    auto around = std::make_shared<film::FilmState>(layer.shape, layer.cell_mm);
+    for (int tile = 0; tile < layer.shape.tile_count(); ++tile)
+        if (!grid::intersection(layer.shape.tile_cells(tile), cells).empty())
+            layers::take_seen_tile(layer, tile, *around);
+    return around;
+}
+
+/// The canvas with all other layers that are shown, in those cells; what is clipped to the active one
+/// goes with it.
+QImage picture_without_active(const document::Snapshot& painting, const grid::Rect& cells) {
     constexpr QColor kBareCanvas(233, 230, 222);
-    const std::vector<document::Layer>& layers = painting.layers->layers;
-    QImage picture(size, QImage::Format_ARGB32_Premultiplied);
+    document::LayerStack others = *painting.layers;
+    others.layers[others.active].look.visible = false;
+    for (document::Layer& layer : others.layers)
+        if (layer.inactive != nullptr) layer.inactive = film_around(*layer.inactive, cells);
+    core::ThreadPool pool;
+    const QImage paint =
+        picture_of(document::view_of(active_film(painting), painting.bare->support_mm, others, pool),
+                   painting.ground);
+    QImage picture(paint.size(), QImage::Format_ARGB32_Premultiplied);
     picture.fill(kBareCanvas);
-    QPainter painter(&picture);
-    for (std::size_t place = 0; place < layers.size(); ++place) {
-        const document::LayerLook look = document::effective_look(*painting.layers, place);
-        const auto base = document::clipped_to(*painting.layers, place);
-        const bool goes = base && layers[*base].inactive == nullptr;
-        if (layers[place].inactive == nullptr || !look.visible || goes) continue;
-        QImage paint = picture_of(*layers[place].inactive, painting.ground);
-        if (base) {
-            QPainter clip(&paint);
-            clip.setCompositionMode(QPainter::CompositionMode_DestinationIn);
-            clip.drawImage(0, 0, picture_of(*layers[*base].inactive, painting.ground));
-        }
-        painter.setOpacity(look.opacity);
-        painter.drawImage(0, 0, paint);
-    }
-    painter.end();
+    QPainter(&picture).drawImage(0, 0, paint);
     return picture;
 }
 
@@ -146,15 +153,15 @@ void LayerTransform::begin() {
                                   : tr("There is no paint of this layer in the selection."));
     transforming_ = active_part(*painting);
     studio_.commands().action(Command::TransformLayer)->setChecked(true);
-    show(tools::frame_around(cells, painting->film.cell_mm), *painting);
+    show(cells, *painting);
 }
 
-void LayerTransform::show(const tools::TransformFrame& frame, const document::Snapshot& painting) {
+void LayerTransform::show(const grid::Rect& cells, const document::Snapshot& painting) {
+    const tools::TransformFrame frame = tools::frame_around(cells, painting.film.cell_mm);
     studio_.on_canvas().frame.show(frame);
-    const QImage active = active_picture(painting);
     studio_.on_canvas().frame.show_picture(
-        part_in(frame, painting, active),
-        part_in(frame, painting, picture_without_active(painting, active.size())));
+        part_in(frame, painting, picture_of(active_film(painting), painting.ground)),
+        part_in(frame, painting, picture_without_active(painting, cells)));
     const document::CanvasSettings& canvas = painting.bare->settings;
     open_dialog(frame, {canvas.width_mm, canvas.height_mm});
     studio_.canvas().setFocus();

@@ -38,7 +38,7 @@ class LayerTransform : public QObject {
 
   private:
     void begin();
-    void show(const tools::TransformFrame& frame, const document::Snapshot& painting);
+    void show(const grid::Rect& cells, const document::Snapshot& painting);
     void open_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm);
     void apply();
     void follow(const document::Snapshot& painting, const session::Status& status);
