@@ -120,6 +120,46 @@ TEST_F(AdjustWindow, AnotherPaintTakenMeanwhileIsForetold) {
     EXPECT_GT(swatch(asked, "after").red(), in_blue.red());
 }
 
+TEST_F(AdjustWindow, AnotherLayerAnotherSelectionOrMaskingClosesTheDialog) {
+    const auto is_closed = [this] { return dialog() == nullptr || !dialog()->isVisible(); };
+    lay_dry_blue();
+    opened();
+    give(Command::AddLayer);
+    EXPECT_TRUE(is_closed());
+    give(Command::Undo);
+    opened();
+    studio().easel().select(document::SelectArea{{{0, 0}, {15, 0}, {15, 40}, {0, 40}}});
+    settle();
+    EXPECT_TRUE(is_closed());
+    opened();
+    give(Command::MaskSelection);
+    EXPECT_TRUE(is_closed());
+}
+
+TEST_F(AdjustWindow, WhatIsTakenBackMeanwhileIsSeen) {
+    lay_dry_blue();
+    take_white();
+    dialogs::AdjustDialog& first = opened();
+    const QColor blue = swatch(first, "before");
+    part<QDoubleSpinBox>(first, "thickness_um").setValue(100.0);
+    adjust(first);
+    dialogs::AdjustDialog& asked = opened();
+    EXPECT_NE(swatch(asked, "before"), blue);
+    give(Command::Undo);
+    wait_for([&] { return swatch(asked, "before") == blue; });
+    give(Command::Undo);
+    wait_for([&] { return dialog() == nullptr || !dialog()->isVisible(); });
+}
+
+TEST_F(AdjustWindow, OnlyWhatIsDoneIsReported) {
+    lay_dry_blue();
+    dialogs::AdjustDialog& asked = opened();
+    give(Command::LockLayer);
+    ASSERT_TRUE(asked.isVisible());
+    asked.accept();
+    EXPECT_THAT(told(), HasSubstr("locked"));
+}
+
 TEST_F(AdjustWindow, AMediumOfWhichNothingStaysIsNoGlaze) {
     lay_dry_blue();
     studio().easel().use_medium("thinner");

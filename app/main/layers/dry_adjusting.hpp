@@ -2,9 +2,14 @@
 #pragma once
 
 #include "dialogs/adjust_dialog.hpp"
+#include "main/layers/active_part.hpp"
 #include "main/studio.hpp"
 
+#include <optional>
+
 #include <QObject>
+#include <QPointer>
+#include <QTimer>
 
 namespace pastoso::main {
 
@@ -15,11 +20,19 @@ class DryAdjusting : public QObject {
 
   private:
     void ask();
+    bool asks() const;  ///< the dialog is open
+    std::optional<tools::AdjustedColours> foretold(const layers::Adjustment& adjustment) const;
+    void follow(const document::Snapshot& painting, const session::Status& status);
+    void look_again();
     void adjust(const dialogs::ChosenAdjustment& chosen);
     bool is_lent();  ///< and says so
 
     Studio& studio_;
     dialogs::ChosenAdjustment chosen_;
+    QPointer<dialogs::AdjustDialog> dialog_;
+    ActivePart adjusted_;                       ///< by the dialog
+    std::optional<tools::DryColours> colours_;  ///< of that, before
+    QTimer changed_;
 };
 
 }  // namespace pastoso::main
