@@ -1,6 +1,7 @@
 #include "tools/canvas_resizing.hpp"
 
 #include "core/units.hpp"
+#include "tools/selecting.hpp"
 
 #include <cmath>
 #include <utility>
@@ -150,7 +151,7 @@ Margins margins_of(const document::ResizeCanvas& resize, const document::CanvasS
 std::optional<document::ResizeCanvas> cropped_to(const document::Selection& selection,
                                                  const document::CanvasSettings& canvas) {
     if (selection == nullptr) return std::nullopt;
-    const grid::Rect cells = grid::chosen_area(*selection);
+    const grid::Rect cells = outlined_area(selection);
     if (cells.empty() || cells == document::canvas_shape(canvas).cells()) return std::nullopt;
     const auto mm = [&](int count) { return count / canvas.px_per_mm; };
     return document::ResizeCanvas{mm(cells.x0), mm(cells.y0), mm(cells.width()), mm(cells.height())};

@@ -32,7 +32,8 @@ struct Margins {
 /// Throws InputError as document::resized() does.
 Margins margins_of(const document::ResizeCanvas& resize, const document::CanvasSettings& canvas);
 
-/// The smallest canvas that holds the selection; none without one, and where that is all of the canvas.
+/// The smallest canvas that holds what is outlined of the selection (outlined_area()); none without one,
+/// where nothing is outlined, and where that is all of the canvas.
 std::optional<document::ResizeCanvas> cropped_to(const document::Selection& selection,
                                                  const document::CanvasSettings& canvas);
 

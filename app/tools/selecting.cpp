@@ -77,6 +77,10 @@ document::Selection selection_after(const document::Snapshot& painting,
                               select.how);
 }
 
+grid::Rect outlined_area(const document::Selection& selection) {
+    return grid::chosen_area(grid::hardened(*selection));
+}
+
 double selected_share(const document::Selection& selection) {
     if (selection == nullptr) return 1.0;
     const grid::Shape shape = selection->shape();

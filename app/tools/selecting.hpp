@@ -20,6 +20,10 @@ document::Selection selection_after(const document::Snapshot& painting,
 document::Selection selection_after(const document::Snapshot& painting,
                                     const document::SelectByWetness& select);
 
+/// The smallest rectangle around what is outlined of a selection, the cells that are selected by half or
+/// more; empty where none is, as in one that is feathered widely. The selection is not null.
+grid::Rect outlined_area(const document::Selection& selection);
+
 /// The share of the canvas that tools may change.
 double selected_share(const document::Selection& selection);
 

@@ -38,6 +38,8 @@ TEST(CanvasResizing, TheSelectionIsCroppedToItsCells) {
     const auto selection = [&] { return std::make_shared<const grid::Mask>(mask); };
     EXPECT_EQ(cropped_to(nullptr, wanted), std::nullopt);
     EXPECT_EQ(cropped_to(selection(), wanted), std::nullopt);
+    mask.set(10, 4, grid::kWhole / 2);
+    EXPECT_EQ(cropped_to(selection(), wanted), std::nullopt) << "nothing is outlined";
     mask.set(20, 8, grid::kWhole);
     mask.set(103, 51, grid::kWhole);
     EXPECT_EQ(cropped_to(selection(), wanted), (document::ResizeCanvas{5.0, 2.0, 21.0, 11.0}));

@@ -197,6 +197,15 @@ TEST_F(CanvasSize, CroppingKeepsWhatIsSelected) {
     EXPECT_EQ(thickness_at({30.0, 20.0}), painted);
 }
 
+TEST_F(CanvasSize, NothingIsCroppedToWhatIsNotOutlined) {
+    studio().easel().select(document::SelectArea{{{29, 19}, {31, 19}, {31, 21}, {29, 21}}});
+    studio().easel().select(document::FeatherSelection{10.0});
+    settle();
+    give(Command::CropToSelection);
+    EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+    EXPECT_THAT(told(), HasSubstr("too soft"));
+}
+
 TEST_F(CanvasSize, MirroredItLiesWhereItLayWithItsGuides) {
     mouse_stroke(line_mm({10.0, 10.0}, {20.0, 20.0}));
     give(Command::Ruler);

@@ -179,5 +179,21 @@ TEST_F(TextureWindow, APictureIsPressedIntoWhatIsSelected) {
     EXPECT_NEAR(place.height_mm, 15.0, 2.0 * kSide_mm);
 }
 
+TEST_F(TextureWindow, ASoftEdgeGivesAPictureNoMoreRoom) {
+    give(Command::SelectRectangle);
+    drag({{10.0, 10.0}, {40.0, 30.0}});
+    studio().easel().select(document::FeatherSelection{3.0});
+    settle();
+    dialogs::TextureDialog& dialog = opened();
+    choose(dialog, ChosenTexture::Form::Pressed);
+    dialog.choose_picture(written_picture());
+    dialog.accept();
+    loaded();
+    settle();
+    const layers::PicturePlace place = std::get<layers::PressedTexture>(last().texture).place;
+    EXPECT_NEAR(place.x_mm, 10.0, kSide_mm);
+    EXPECT_NEAR(place.width_mm, 30.0, 2.0 * kSide_mm);
+}
+
 }  // namespace
 }  // namespace pastoso::tests

@@ -8,6 +8,7 @@
 #include "panels/parts/status_readings.hpp"
 #include "session/layer_painter.hpp"
 #include "tools/canvas_resizing.hpp"
+#include "tools/selecting.hpp"
 
 #include <utility>
 
@@ -83,6 +84,8 @@ void CanvasSizing::crop_to_selection() {
     const auto cropped = tools::cropped_to(painting->selection, painting->bare->settings);
     if (cropped)
         resize(*cropped);
+    else if (painting->selection != nullptr && tools::outlined_area(painting->selection).empty())
+        studio_.report(tr("The selection is too soft to crop to: nothing is outlined."));
     else
         studio_.report(tr("The selection reaches over the whole canvas: there is nothing to cut."));
 }

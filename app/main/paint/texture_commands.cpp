@@ -3,6 +3,7 @@
 #include "files/image.hpp"
 #include "main/files/picture_files.hpp"
 #include "project/picture_import.hpp"
+#include "tools/selecting.hpp"
 
 #include <utility>
 
@@ -12,11 +13,12 @@
 namespace pastoso::main {
 namespace {
 
-/// What is selected lies within it, or else the canvas.
+/// What is outlined lies within it, or else the canvas.
 layers::PicturePlace room_of(const document::Snapshot& painting) {
     const document::CanvasSettings& canvas = painting.bare->settings;
-    if (painting.selection == nullptr) return {0.0, 0.0, canvas.width_mm, canvas.height_mm};
-    const grid::Rect cells = grid::chosen_area(*painting.selection);
+    const grid::Rect cells =
+        painting.selection != nullptr ? tools::outlined_area(painting.selection) : grid::Rect{};
+    if (cells.empty()) return {0.0, 0.0, canvas.width_mm, canvas.height_mm};
     const double cell_mm = painting.film.cell_mm;
     return {cell_mm * cells.x0, cell_mm * cells.y0, cell_mm * cells.width(), cell_mm * cells.height()};
 }
