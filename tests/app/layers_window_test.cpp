@@ -11,12 +11,14 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QHelpEvent>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPainter>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTest>
+#include <QToolTip>
 #include <gmock/gmock.h>
 
 namespace pastoso::tests {
@@ -24,8 +26,10 @@ namespace {
 
 using commands::Command;
 using panels::LayerModel;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using tools::LayerRow;
 
 class LayersWindow : public WindowTest {
@@ -75,6 +79,13 @@ class LayersWindow : public WindowTest {
     void press_key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         QTest::keyClick(QApplication::focusWidget(), key, modifiers);
         follow();
+    }
+    /// What the pointer is told that rests on its name.
+    std::string hint(const LayerRow& row) {
+        const QPoint place = place_of(row, LayerModel::kName).center();
+        QHelpEvent rests(QEvent::ToolTip, place, tree().viewport()->mapToGlobal(place));
+        QApplication::sendEvent(tree().viewport(), &rests);
+        return QToolTip::text().toStdString();
     }
     /// Lets a row fall at a place in the list.
     void drop(const LayerRow& row, const QPoint& place) {
@@ -229,6 +240,8 @@ TEST_F(LayersWindow, AClippedLayerShowsOnlyOverTheOneBelow) {
     const QModelIndex row = tree().layers().index_of(layer(2));
     EXPECT_THAT(row.data(Qt::AccessibleTextRole).toString().toStdString(),
                 HasSubstr("clipped to the layer below"));
+    EXPECT_THAT(hint(layer(2)),
+                AllOf(HasSubstr("You paint on this layer"), HasSubstr("Clipped to the layer below")));
     give(Command::Undo);
     EXPECT_FALSE(action(Command::ClipLayer)->isChecked());
     EXPECT_EQ(difference(both, picture()).largest, 0);
@@ -255,6 +268,27 @@ TEST_F(LayersWindow, ClippedLayersStandBehindAMark) {
         return image.copy(0, 0, 16, 44);
     };
     EXPECT_NE(left_of_row(true), left_of_row(false));
+}
+
+TEST_F(LayersWindow, ARowKnowsWhatItIsClippedTo) {
+    document::LayerStack stack = document::single_layer();
+    stack.layers[0].look.clipped = true;
+    stack.layers.push_back({.id = 2, .look = {.clipped = true}});
+    LayerModel model;
+    const auto row = [&](document::LayerId id) { return model.index_of(layer(id)); };
+    const auto words = [&](document::LayerId id) {
+        return row(id).data(Qt::AccessibleTextRole).toString().toStdString();
+    };
+    model.show(stack);
+    EXPECT_THAT(words(1), Not(HasSubstr("clipped"))) << "nothing lies below, and all of it shows";
+    EXPECT_THAT(words(2), Not(HasSubstr("clipped"))) << "nor anything that is not clipped";
+    stack.layers[0].look.clipped = false;
+    model.show(stack);
+    EXPECT_THAT(words(2), HasSubstr("clipped"));
+    EXPECT_TRUE(model.item(row(2)).seen);
+    stack.layers[0].look.visible = false;
+    model.show(stack);
+    EXPECT_FALSE(model.item(row(2)).seen) << "hidden with what it is clipped to";
 }
 
 TEST_F(LayersWindow, GroupsAreNotClipped) {

@@ -19,10 +19,6 @@ constexpr int kGap = 6;
 constexpr int kLayerRow = 44, kGroupRow = 30;
 constexpr int kClipMark = 16;
 
-bool is_seen(const Item& item) {
-    return item.look.visible && item.group_shown;
-}
-
 /// Clipped layers stand a little to the right of the one that they are clipped to, behind a mark.
 int mark_of(const Item& item) {
     return item.look.clipped ? kClipMark : 0;
@@ -66,19 +62,24 @@ QString remarks(const Item& item) {
     return remarks.join(QStringLiteral(" \u00b7 "));
 }
 
-QString name_hint(const Item& item) {
-    if (item.is_group)
-        return QObject::tr("A group: its eye, its lock and its opacity hold for all of its layers");
-    if (item.look.clipped)
-        return QObject::tr(
-            "Clipped to the layer below: of its paint, only what lies over paint of that layer shows. "
-            "The rest is hidden, and kept");
+QString paint_hint(const Item& item) {
     if (item.active) return QObject::tr("You paint on this layer; its wet paint flows and dries");
     if (item.inactive_wet)
         return QObject::tr(
             "Its wet paint keeps still: it neither flows nor dries, and stays as wet as it is until you "
             "choose this layer");
     return QObject::tr("Click to paint on this layer; a double click names it, dragging moves it");
+}
+
+QString name_hint(const Item& item) {
+    if (item.is_group)
+        return QObject::tr("A group: its eye, its lock and its opacity hold for all of its layers");
+    QStringList hints{paint_hint(item)};
+    if (item.has_base)
+        hints += QObject::tr(
+            "Clipped to the layer below: of its paint, only what lies over paint of that layer shows. "
+            "The rest is hidden, and kept");
+    return hints.join(QLatin1Char('\n'));
 }
 
 QString hint(const Item& item, int column) {
@@ -132,7 +133,7 @@ void LayerDelegate::paint_eye(QPainter* painter, const QRect& place, const Item&
     appearance::draw_icon(
         *painter, place.adjusted(kEdge, 0, 0, 0),
         item.look.visible ? QStringLiteral("show_layer") : QStringLiteral("closed_eye"),
-        is_seen(item) ? appearance::colours().text : appearance::colours().faint_text);
+        item.seen ? appearance::colours().text : appearance::colours().faint_text);
 }
 
 void LayerDelegate::paint_lock(QPainter* painter, const QStyleOptionViewItem& option,
@@ -147,7 +148,7 @@ void LayerDelegate::paint_lock(QPainter* painter, const QStyleOptionViewItem& op
 
 void LayerDelegate::paint_name(QPainter* painter, const QStyleOptionViewItem& option,
                                const QModelIndex& index, const Item& item) const {
-    painter->setOpacity(is_seen(item) ? 1.0 : 0.6);
+    painter->setOpacity(item.seen ? 1.0 : 0.6);
     QRect box = option.rect;
     box.setWidth(indent_of(item) - kGap);
     if (item.look.clipped)

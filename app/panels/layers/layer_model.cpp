@@ -69,16 +69,18 @@ LayerModel::Item LayerModel::item(const QModelIndex& index) const {
     const LayerRow row = row_at(index);
     Item item{.is_group = row.group != 0, .look = tools::look_of(stack_, row)};
     if (item.is_group) {
+        item.seen = item.look.visible;
         item.layers = rowCount(index.siblingAtColumn(0));
         return item;
     }
     const std::size_t place = document::place_of(stack_, row.layer);
     item.active = place == stack_.active;
+    item.seen = document::effective_look(stack_, place).visible;
+    item.has_base = document::clipped_to(stack_, place).has_value();
     const auto picture = pictures_.find(row.layer);
     item.inactive_wet = !item.active && picture != pictures_.end() && picture->second.wet;
     if (!index.parent().isValid()) return item;
     const document::LayerLook group = tools::look_of(stack_, row_at(index.parent()));
-    item.group_shown = group.visible;
     item.group_locked = group.locked;
     item.group_bare_locked = group.bare_locked;
     return item;
@@ -116,7 +118,7 @@ QString LayerModel::words(const Item& item) const {
     if (!item.look.visible) words += tr("hidden");
     if (item.look.locked) words += tr("locked");
     if (item.look.bare_locked) words += tr("what is bare is locked");
-    if (item.look.clipped) words += tr("clipped to the layer below");
+    if (item.has_base) words += tr("clipped to the layer below");
     words += tr("opacity %1 %").arg(qRound(100.0 * item.look.opacity));
     return words.join(QStringLiteral(", "));
 }

@@ -22,8 +22,9 @@ class LayerModel : public QAbstractItemModel {
         document::LayerLook look{};  ///< what it says itself
         bool active = false;
         bool inactive_wet = false;  ///< its wet paint waits until it is active
-        bool group_shown = true;    ///< what its group says
-        bool group_locked = false, group_bare_locked = false;
+        bool seen = true;           ///< with what its group says, and what it is clipped to
+        bool has_base = false;      ///< it is clipped, and there is what it is clipped to
+        bool group_locked = false, group_bare_locked = false;  ///< what its group says
         int layers = 0;  ///< of a group
     };
 
