@@ -81,6 +81,13 @@ grid::Rect outlined_area(const document::Selection& selection) {
     return grid::chosen_area(grid::hardened(*selection));
 }
 
+bool are_same(const document::Selection& a, const document::Selection& b) {
+    const auto is_within = [](const grid::Mask& inner, const grid::Mask& outer) {
+        return grid::chosen_area(grid::combined(inner, outer, grid::Combination::Subtract)).empty();
+    };
+    return is_within(*a, *b) && is_within(*b, *a);
+}
+
 double selected_share(const document::Selection& selection) {
     if (selection == nullptr) return 1.0;
     const grid::Shape shape = selection->shape();

@@ -24,6 +24,9 @@ document::Selection selection_after(const document::Snapshot& painting,
 /// more; empty where none is, as in one that is feathered widely. The selection is not null.
 grid::Rect outlined_area(const document::Selection& selection);
 
+/// Whether two selections of one canvas hold the same share of every cell. Neither is null.
+bool are_same(const document::Selection& a, const document::Selection& b);
+
 /// The share of the canvas that tools may change.
 double selected_share(const document::Selection& selection);
 

@@ -221,6 +221,21 @@ TEST_F(SelectionTools, AFeatheredSelectionFadesOut) {
     EXPECT_FALSE(grid::is_soft(*selection()));
 }
 
+TEST_F(SelectionTools, AFeatherFinerThanTheCanvasSaysThatNothingChanges) {
+    give(Command::SelectRectangle);
+    drag({{20.0, 10.0}, {40.0, 30.0}});
+    give(Command::FeatherSelection);
+    auto* button = dialog()->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    auto* problem = dialog()->findChild<QLabel*>(QStringLiteral("problem"));
+    // Cells of a quarter of a millimetre: from one and a half of them on shares change.
+    length().setValue(0.3);
+    EXPECT_FALSE(button->isEnabled());
+    EXPECT_THAT(problem->text().toStdString(), HasSubstr("stay as it is"));
+    length().setValue(0.5);
+    EXPECT_TRUE(button->isEnabled());
+    EXPECT_FALSE(problem->isVisible());
+}
+
 TEST_F(SelectionTools, ASelectionIsNotShrunkToNothing) {
     give(Command::SelectRectangle);
     drag({{20.0, 10.0}, {40.0, 30.0}});

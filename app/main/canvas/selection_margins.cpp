@@ -2,6 +2,7 @@
 
 #include "dialogs/length_dialog.hpp"
 #include "main/canvas/dialog_corner.hpp"
+#include "tools/selecting.hpp"
 
 #include <QMainWindow>
 
@@ -23,6 +24,14 @@ dialogs::AskedLength asked_margin(const QString& title, const QString& explanati
 dialogs::AskedLength asked_width(const QString& title, const QString& explanation,
                                  const QString& button) {
     return asked_margin(title, explanation, SelectionMargins::tr("Width"), button);
+}
+
+/// Why a selection is not to be changed so; empty where it may be.
+QString problem_of(const document::Selection& changed, const document::Selection& before) {
+    if (changed == nullptr) return SelectionMargins::tr("Nothing would be left of the selection.");
+    if (tools::are_same(changed, before))
+        return SelectionMargins::tr("The selection would stay as it is.");
+    return {};
 }
 
 }  // namespace
@@ -75,8 +84,7 @@ void SelectionMargins::preview() {
     const auto painting = studio_.session().snapshot();
     const document::Selection changed =
         document::changed_by(Margin{dialog_->chosen_mm()}, painting->selection, painting->film.cell_mm);
-    dialog_->show_problem(changed == nullptr ? tr("Nothing would be left of the selection.")
-                                             : QString());
+    dialog_->show_problem(problem_of(changed, painting->selection));
     studio_.canvas().preview_selection(changed);
 }
 
