@@ -3053,6 +3053,14 @@
         <source>width of the cloth&apos;s threads</source>
         <translation>width of the cloth&apos;s threads</translation>
     </message>
+    <message>
+        <source>The cloth has been drawn out too unevenly: for a canvas of %1 x %2 cells, %3 x %4 would have to be woven.</source>
+        <translation>The cloth has been drawn out too unevenly: for a canvas of %1 x %2 cells, %3 x %4 would have to be woven.</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</source>
+        <translation>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -8929,6 +8937,10 @@
         <source>Meanwhile the canvas has become another one; that keeps its size.</source>
         <translation>Meanwhile the canvas has become another one; that keeps its size.</translation>
     </message>
+    <message>
+        <source>The selection is too soft to crop to: nothing is outlined.</source>
+        <translation>The selection is too soft to crop to: nothing is outlined.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::Clipboard</name>
@@ -9261,13 +9273,6 @@
     <message>
         <source>%1: wait for it, or cancel it.</source>
         <translation>%1: wait for it, or cancel it.</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::main::Margin</name>
-    <message>
-        <source>Nothing would be left of the selection.</source>
-        <translation>Nothing would be left of the selection.</translation>
     </message>
 </context>
 <context>
@@ -9891,6 +9896,14 @@
     <message>
         <source>Feather</source>
         <translation>Feather</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the selection.</source>
+        <translation>Nothing would be left of the selection.</translation>
+    </message>
+    <message>
+        <source>The selection would stay as it is.</source>
+        <translation>The selection would stay as it is.</translation>
     </message>
 </context>
 <context>

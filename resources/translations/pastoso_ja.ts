@@ -3053,6 +3053,14 @@
         <source>width of the cloth&apos;s threads</source>
         <translation>布の糸の幅</translation>
     </message>
+    <message>
+        <source>The cloth has been drawn out too unevenly: for a canvas of %1 x %2 cells, %3 x %4 would have to be woven.</source>
+        <translation>布の伸び方が不均一すぎます：%1×%2セルのキャンバスに、%3×%4セルを織る必要があります。</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</source>
+        <translation>レイヤー「%1」は、非表示の「%2」にクリップされています。</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -8920,6 +8928,10 @@
         <source>Meanwhile the canvas has become another one; that keeps its size.</source>
         <translation>その間にキャンバスが別のものになりました。大きさはそのままです。</translation>
     </message>
+    <message>
+        <source>The selection is too soft to crop to: nothing is outlined.</source>
+        <translation>選択範囲がぼけすぎているため、切り抜けません。輪郭がどこにもありません。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::Clipboard</name>
@@ -9249,13 +9261,6 @@
     <message>
         <source>%1: wait for it, or cancel it.</source>
         <translation>%1：終わるのを待つか、中止してください。</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::main::Margin</name>
-    <message>
-        <source>Nothing would be left of the selection.</source>
-        <translation>選択範囲がなくなってしまいます。</translation>
     </message>
 </context>
 <context>
@@ -9878,6 +9883,14 @@
     <message>
         <source>Feather</source>
         <translation>ぼかす</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the selection.</source>
+        <translation>選択範囲が何も残らなくなります。</translation>
+    </message>
+    <message>
+        <source>The selection would stay as it is.</source>
+        <translation>選択範囲は何も変わりません。</translation>
     </message>
 </context>
 <context>

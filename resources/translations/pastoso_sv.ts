@@ -3053,6 +3053,14 @@
         <source>width of the cloth&apos;s threads</source>
         <translation>bredd på dukens trådar</translation>
     </message>
+    <message>
+        <source>The cloth has been drawn out too unevenly: for a canvas of %1 x %2 cells, %3 x %4 would have to be woven.</source>
+        <translation>Duken har dragits ut för ojämnt: för en målning på %1 x %2 rutor skulle %3 x %4 behöva vävas.</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</source>
+        <translation>lagret ”%1” är begränsat till ”%2”, som är dolt.</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -8929,6 +8937,10 @@
         <source>Meanwhile the canvas has become another one; that keeps its size.</source>
         <translation>Duken har under tiden blivit en annan; den behåller sin storlek.</translation>
     </message>
+    <message>
+        <source>The selection is too soft to crop to: nothing is outlined.</source>
+        <translation>Markeringen är för mjuk att beskära till: inget har någon kontur.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::Clipboard</name>
@@ -9261,13 +9273,6 @@
     <message>
         <source>%1: wait for it, or cancel it.</source>
         <translation>%1: vänta på det, eller avbryt det.</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::main::Margin</name>
-    <message>
-        <source>Nothing would be left of the selection.</source>
-        <translation>Inget av markeringen skulle bli kvar.</translation>
     </message>
 </context>
 <context>
@@ -9891,6 +9896,14 @@
     <message>
         <source>Feather</source>
         <translation>Mjuka upp</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the selection.</source>
+        <translation>Inget skulle bli kvar av markeringen.</translation>
+    </message>
+    <message>
+        <source>The selection would stay as it is.</source>
+        <translation>Markeringen skulle förbli som den är.</translation>
     </message>
 </context>
 <context>

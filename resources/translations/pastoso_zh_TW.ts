@@ -3053,6 +3053,14 @@
         <source>width of the cloth&apos;s threads</source>
         <translation>畫布紗線的寬度</translation>
     </message>
+    <message>
+        <source>The cloth has been drawn out too unevenly: for a canvas of %1 x %2 cells, %3 x %4 would have to be woven.</source>
+        <translation>畫布拉伸得太不均勻：%1 x %2 格的畫布需要織出 %3 x %4 格。</translation>
+    </message>
+    <message>
+        <source>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</source>
+        <translation>圖層「%1」被剪裁到隱藏的「%2」。</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -8920,6 +8928,10 @@
         <source>Meanwhile the canvas has become another one; that keeps its size.</source>
         <translation>畫布在此期間已換成另一張，其大小保持不變。</translation>
     </message>
+    <message>
+        <source>The selection is too soft to crop to: nothing is outlined.</source>
+        <translation>選取範圍過於柔和，無法依此裁切：沒有任何部分有輪廓。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::Clipboard</name>
@@ -9249,13 +9261,6 @@
     <message>
         <source>%1: wait for it, or cancel it.</source>
         <translation>%1：請等它完成，或取消。</translation>
-    </message>
-</context>
-<context>
-    <name>pastoso::main::Margin</name>
-    <message>
-        <source>Nothing would be left of the selection.</source>
-        <translation>選取範圍將不會剩下任何部分。</translation>
     </message>
 </context>
 <context>
@@ -9878,6 +9883,14 @@
     <message>
         <source>Feather</source>
         <translation>羽化</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of the selection.</source>
+        <translation>選取範圍將不剩任何部分。</translation>
+    </message>
+    <message>
+        <source>The selection would stay as it is.</source>
+        <translation>選取範圍不會有任何改變。</translation>
     </message>
 </context>
 <context>
