@@ -105,11 +105,11 @@ TEST_F(Adjusting, AllOfItForTheSamePaintChangesNothingButRounding) {
 TEST_F(Adjusting, HalfOfItIsStirredIntoTheOtherHalf) {
     lay_dry(0.01, kBlue);
     const FilmState half = after(PaintExchange{0.5});
-    pigment::Coefficients mean{};
-    for (std::size_t k = 0; k < mean.size(); ++k)
-        mean[k] = 0.5F * (kBlue[k] + kRed[k]);
+    pigment::Coefficients both{};
+    for (std::size_t k = 0; k < both.size(); ++k)
+        both[k] = 0.5F * (kBlue[k] + kRed[k]);
     const film::StrataOptics expected =
-        film::laid_over(dried_cell(acrylic(mean), layer.support_mm.at(3, 4)).data(), film::kClearStrata);
+        film::laid_over(dried_cell(acrylic(both), layer.support_mm.at(3, 4)).data(), film::kClearStrata);
     EXPECT_NE(expected, optics(layer));
     for (int k = 0; k < 3 * pigment::kBands; ++k)
         // The layer before is known to a code of 65535.
