@@ -61,7 +61,9 @@ TEST_F(EaselTest, EveryStrokeStartsWithAFreshBrushUnlessToldOtherwise) {
 }
 
 TEST_F(EaselTest, TellsThatThePenComesDownBeside) {
-    easel_.press({.beside = true});
+    Pointer outside;
+    outside.beside = true;
+    easel_.press(outside);
     EXPECT_TRUE(std::get<PenDown>(actions_.back()).beside);
     easel_.release();
     easel_.press({});
