@@ -24,7 +24,8 @@ struct Glaze {
 /// mm: the thickness stays. Of a stratum that can be dissolved, by volume,
 ///     K_k h' = (1 - s) K_k h + s (K_k / f) h,   S_k h' likewise.
 /// Of what is fixed only what it does to light is known. It becomes that of the layer into which a layer
-/// of the new paint, as thick as all that is fixed there, is stirred to that share (pigment::stirred()).
+/// of the new paint, as thick as all that is fixed there, is stirred to that share,
+///     R' = F(R, N) + M - F(H, N),   T' and Q' likewise (pigment::stirred()).
 /// A cell without thickness has nothing to exchange.
 struct PaintExchange {
     double share = 0.5;  ///< 0 to 1
