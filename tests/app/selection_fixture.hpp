@@ -32,9 +32,10 @@ class SelectionFixture : public WindowTest {
         action(command)->trigger();
         settle();
     }
+    /// All readings may give way to a long sentence.
     std::string reading() {
         const auto* label = window().findChild<QLabel*>(QStringLiteral("selection"));
-        return label->isVisible() ? label->text().toStdString() : std::string();
+        return label->isHidden() ? std::string() : label->text().toStdString();
     }
 
     void send(QEvent::Type type, const glm::dvec2& place_mm, Qt::KeyboardModifiers keys) {

@@ -290,7 +290,8 @@ TEST_F(ClippedLayers, HideAndFadeWithTheLayerBelow) {
     EXPECT_EQ(film::totals(painting.snapshot().film).thickness, 0);
     painting.apply(TakeBrush{"flat", 8, 1});
     painting.apply(load_of("PB29"));
-    EXPECT_EQ(error(PenDown{wave_sample(0.0, 10.0, 0)}), "the layer \"Upper\" is hidden.");
+    EXPECT_EQ(error(PenDown{wave_sample(0.0, 10.0, 0)}),
+              "the layer \"Upper\" is clipped to \"Paint\", which is hidden.");
 }
 
 TEST_F(ClippedLayers, AreClippedWithinTheirGroup) {

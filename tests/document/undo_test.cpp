@@ -252,13 +252,14 @@ TEST_F(UndoBeside, AirThatReachesTheCanvasTouchesIt) {
 
 /// The well is 120 x 90 mm, the canvas another size.
 TEST_F(UndoBeside, AirThatReachesTheWellTouchesIt) {
-    painting.apply(SqueezePaint{{{{"PB29", 1.0}}, 1.0}, 100.0, 45.0, 200.0});
+    painting.apply(SqueezePaint{{{{"PB29", 1.0}}, 1.0}, 200.0, 100.0, 45.0});
     painting.apply(Undo{});
     painting.apply(TakeBrush{"Air blower 40", 20, 1});
     const auto blow = [&](double x_mm) {
         painting.apply(
             PenDown{.sample = {0.0, 300.0, 45.0, 0.5}, .surface = Surface::Well, .beside = true});
-        painting.apply(PenMove{{0.1, x_mm, 45.0, 0.5}});
+        for (int i = 1; i <= 30; ++i)
+            painting.apply(PenMove{{0.01 * i, 300.0 + (x_mm - 300.0) * i / 30.0, 45.0, 0.5}});
         painting.apply(PenUp{});
         return painting.late_strokes();
     };
