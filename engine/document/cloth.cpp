@@ -44,9 +44,8 @@ void check_can_be_woven(double width, double height, const grid::Shape& canvas) 
     const double most = kMostTimes * (canvas.width + kSmall) * (canvas.height + kSmall);
     if (width < kMostSide && height < kMostSide && width * height <= most) return;
     throw core::InputError(
-        "The cloth has been drawn out too unevenly: for a canvas of %1 x %2 cells, %3 x %4 would have "
-        "to "
-        "be woven.",
+        "The cloth has been drawn out too unevenly: for a canvas of %1 x %2 cells, "
+        "%3 x %4 would have to be woven.",
         canvas.width, canvas.height, width, height);
 }
 
@@ -73,9 +72,13 @@ layers::Projective about_origin(const ClothMap& map) {
     return {.a = map.xx, .b = map.xy, .d = map.yx, .e = map.yy};
 }
 
+/// Of a map that leaves the origin where it is.
+ClothMap cloth_map(const layers::Projective& map) {
+    return {map.a, map.b, map.d, map.e};
+}
+
 ClothMap followed_by(const ClothMap& first, const ClothMap& then) {
-    return {then.xx * first.xx + then.xy * first.yx, then.xx * first.xy + then.xy * first.yy,
-            then.yx * first.xx + then.yy * first.yx, then.yx * first.xy + then.yy * first.yy};
+    return cloth_map(layers::followed_by(about_origin(first), about_origin(then)));
 }
 
 ClothMap map_of(const core::Orientation& turn) {
@@ -147,8 +150,7 @@ DrawnOut drawn_out(const ClothMap& map) {
 }
 
 ClothMap cloth_turned_by(double angle_deg) {
-    const layers::Projective turn = layers::turn_by(angle_deg);
-    return {turn.a, turn.b, turn.d, turn.e};
+    return cloth_map(layers::turn_by(angle_deg));
 }
 
 film::SupportHeights heights_of_cloth(const CanvasSettings& settings, core::ThreadPool& pool,
