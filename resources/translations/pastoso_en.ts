@@ -8803,6 +8803,10 @@
         <source>%1 GB</source>
         <translation>%1 GB</translation>
     </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>A recording is being played; the paint is yours when it has ended.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -9006,10 +9010,6 @@
         <source>The dry paint has other pigments in it.</source>
         <translation>The dry paint has other pigments in it.</translation>
     </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>A recording is being played; the paint is yours when it has ended.</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
@@ -9136,10 +9136,6 @@
     <message>
         <source>The brush paints again.</source>
         <translation>The brush paints again.</translation>
-    </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>A recording is being played; the paint is yours when it has ended.</translation>
     </message>
     <message>
         <source>%1 mm of paint are poured over the whole canvas.</source>
@@ -10058,10 +10054,6 @@
     <message>
         <source>The paste lies where it is selected, dry.</source>
         <translation>The paste lies where it is selected, dry.</translation>
-    </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>A recording is being played; the paint is yours when it has ended.</translation>
     </message>
 </context>
 <context>

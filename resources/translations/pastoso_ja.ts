@@ -8795,6 +8795,10 @@
         <source>%1 GB</source>
         <translation>%1 GB</translation>
     </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>記録を再生中です。終わると絵具を使えます。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -8997,10 +9001,6 @@
         <source>The dry paint has other pigments in it.</source>
         <translation>乾いた絵具の顔料が変わりました。</translation>
     </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>記録を再生中です。終わると絵具を使えます。</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
@@ -9124,10 +9124,6 @@
     <message>
         <source>The brush paints again.</source>
         <translation>ブラシで描けるようになりました。</translation>
-    </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>記録を再生中です。終わると絵具を使えます。</translation>
     </message>
     <message>
         <source>%1 mm of paint are poured over the whole canvas.</source>
@@ -10040,10 +10036,6 @@
     <message>
         <source>The paste lies where it is selected, dry.</source>
         <translation>乾いたペーストが選択範囲に載っています。</translation>
-    </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>記録を再生中です。終わると絵具を使えます。</translation>
     </message>
 </context>
 <context>

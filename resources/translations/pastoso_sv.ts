@@ -8803,6 +8803,10 @@
         <source>%1 GB</source>
         <translation>%1 GB</translation>
     </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>En inspelning spelas upp; färgen blir din igen när den är slut.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -9006,10 +9010,6 @@
         <source>The dry paint has other pigments in it.</source>
         <translation>Den torra färgen har andra pigment i sig.</translation>
     </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>En inspelning spelas upp; färgen blir din igen när den är slut.</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
@@ -9136,10 +9136,6 @@
     <message>
         <source>The brush paints again.</source>
         <translation>Penseln målar igen.</translation>
-    </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>En inspelning spelas upp; färgen blir din igen när den är slut.</translation>
     </message>
     <message>
         <source>%1 mm of paint are poured over the whole canvas.</source>
@@ -10058,10 +10054,6 @@
     <message>
         <source>The paste lies where it is selected, dry.</source>
         <translation>Pastan ligger där det är markerat, torr.</translation>
-    </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>En inspelning spelas upp; färgen blir din igen när den är slut.</translation>
     </message>
 </context>
 <context>

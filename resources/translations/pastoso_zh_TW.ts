@@ -8795,6 +8795,10 @@
         <source>%1 GB</source>
         <translation>%1 GB</translation>
     </message>
+    <message>
+        <source>A recording is being played; the paint is yours when it has ended.</source>
+        <translation>正在播放錄製內容；結束後就能使用顏料。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::BackgroundExport</name>
@@ -8997,10 +9001,6 @@
         <source>The dry paint has other pigments in it.</source>
         <translation>乾顏料裡已換成其他色料。</translation>
     </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>正在播放錄製內容；結束後就能使用顏料。</translation>
-    </message>
 </context>
 <context>
     <name>pastoso::main::Exporting</name>
@@ -9124,10 +9124,6 @@
     <message>
         <source>The brush paints again.</source>
         <translation>筆刷可以繼續畫了。</translation>
-    </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>正在播放錄製內容；結束後就能使用顏料。</translation>
     </message>
     <message>
         <source>%1 mm of paint are poured over the whole canvas.</source>
@@ -10040,10 +10036,6 @@
     <message>
         <source>The paste lies where it is selected, dry.</source>
         <translation>肌理膏已乾，鋪在選取範圍。</translation>
-    </message>
-    <message>
-        <source>A recording is being played; the paint is yours when it has ended.</source>
-        <translation>正在播放錄製內容；結束後就能使用顏料。</translation>
     </message>
 </context>
 <context>

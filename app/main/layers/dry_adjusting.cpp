@@ -2,6 +2,7 @@
 
 #include "document/actions/actions.hpp"
 #include "document/layers.hpp"
+#include "main/paint/lent_paint.hpp"
 #include "tools/mixed_paints.hpp"
 
 #include <cstdint>
@@ -27,7 +28,7 @@ DryAdjusting::DryAdjusting(Studio& studio) : studio_(studio) {
 }
 
 void DryAdjusting::ask() {
-    if (is_lent()) return;
+    if (paint_is_lent(studio_)) return;
     studio_.catch_up();
     const auto painting = studio_.session().snapshot();
     if (!studio_.attempt(
@@ -91,7 +92,7 @@ void DryAdjusting::look_again() {
 /// says why.
 void DryAdjusting::adjust(const dialogs::ChosenAdjustment& chosen) {
     chosen_ = chosen;
-    if (is_lent()) return;
+    if (paint_is_lent(studio_)) return;
     studio_.catch_up();
     const std::int64_t changes = studio_.session().status().changes;
     studio_.easel().adjust_dry_paint({studio_.easel().hand().paint, dialogs::adjustment_of(chosen)});
@@ -100,12 +101,6 @@ void DryAdjusting::adjust(const dialogs::ChosenAdjustment& chosen) {
     studio_.report(chosen.way == dialogs::ChosenAdjustment::Way::Glaze
                        ? tr("The glaze lies over the dry paint.")
                        : tr("The dry paint has other pigments in it."));
-}
-
-bool DryAdjusting::is_lent() {
-    if (!studio_.easel().brush_is_lent()) return false;
-    studio_.report(tr("A recording is being played; the paint is yours when it has ended."));
-    return true;
 }
 
 }  // namespace pastoso::main

@@ -25,7 +25,6 @@ class DryAdjusting : public QObject {
     void follow(const document::Snapshot& painting, const session::Status& status);
     void look_again();
     void adjust(const dialogs::ChosenAdjustment& chosen);
-    bool is_lent();  ///< and says so
 
     Studio& studio_;
     dialogs::ChosenAdjustment chosen_;

@@ -1,6 +1,7 @@
 #include "main/paint/fill_commands.hpp"
 
 #include "dialogs/length_dialog.hpp"
+#include "main/paint/lent_paint.hpp"
 #include "panels/pen/brush_panel.hpp"
 
 #include <QAction>
@@ -49,7 +50,7 @@ void FillCommands::draw_gradients(bool on) {
 }
 
 void FillCommands::pour(document::FillWithPaint fill) {
-    if (studio_.easel().brush_is_lent()) return report_lent();
+    if (paint_is_lent(studio_)) return;
     fill.thickness_mm = thickness_mm_;
     studio_.easel().fill(fill);
     const QString words = studio_.session().snapshot()->selection == nullptr
@@ -59,7 +60,7 @@ void FillCommands::pour(document::FillWithPaint fill) {
 }
 
 void FillCommands::ask_for_ground() {
-    if (studio_.easel().brush_is_lent()) return report_lent();
+    if (paint_is_lent(studio_)) return;
     auto* dialog = new dialogs::ThicknessDialog(
         {.title = tr("Toned ground"),
          .explanation =
@@ -81,14 +82,10 @@ void FillCommands::ask_for_ground() {
 
 /// A recording may have begun to be played since the dialog was opened.
 void FillCommands::tone_ground() {
-    if (studio_.easel().brush_is_lent()) return report_lent();
+    if (paint_is_lent(studio_)) return;
     studio_.easel().tone_ground({.paint = studio_.easel().hand().paint,
                                  .thickness_mm = ground_mm_,
                                  .name = tr("Ground").toStdString()});
-}
-
-void FillCommands::report_lent() {
-    studio_.report(tr("A recording is being played; the paint is yours when it has ended."));
 }
 
 void FillCommands::ask_thickness() {

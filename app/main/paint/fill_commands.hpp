@@ -29,7 +29,6 @@ class FillCommands : public QObject {
     void ask_thickness();
     void ask_for_ground();
     void tone_ground();
-    void report_lent();
 
     Studio& studio_;
     bool drawing_ = false;

@@ -2,6 +2,7 @@
 
 #include "files/image.hpp"
 #include "main/files/picture_files.hpp"
+#include "main/paint/lent_paint.hpp"
 #include "project/picture_import.hpp"
 #include "tools/selecting.hpp"
 
@@ -43,7 +44,7 @@ TextureCommands::TextureCommands(Studio& studio, Loading& loading) : studio_(stu
 }
 
 void TextureCommands::ask() {
-    if (is_lent()) return;
+    if (paint_is_lent(studio_)) return;
     chosen_.pressed.place = room_of(*studio_.session().snapshot());
     auto* dialog = new dialogs::TextureDialog(
         chosen_, tr("Pictures (%1);;All files (*)").arg(picture_endings()), &studio_.window());
@@ -78,17 +79,11 @@ void TextureCommands::read_picture() {
 
 /// A recording may have begun to be played since the dialog was opened.
 void TextureCommands::lay(const layers::Texture& texture) {
-    if (is_lent()) return;
+    if (paint_is_lent(studio_)) return;
     studio_.easel().lay_texture({studio_.easel().hand().paint, texture});
     studio_.report(studio_.session().snapshot()->selection == nullptr
                        ? tr("The paste lies on the whole canvas, dry.")
                        : tr("The paste lies where it is selected, dry."));
-}
-
-bool TextureCommands::is_lent() {
-    if (!studio_.easel().brush_is_lent()) return false;
-    studio_.report(tr("A recording is being played; the paint is yours when it has ended."));
-    return true;
 }
 
 }  // namespace pastoso::main

@@ -19,7 +19,6 @@ class TextureCommands : public QObject {
     void take(const dialogs::ChosenTexture& chosen);
     void read_picture();
     void lay(const layers::Texture& texture);
-    bool is_lent();  ///< and says so
 
     Studio& studio_;
     Loading& loading_;
