@@ -60,6 +60,22 @@ TEST(ToolSample, OnCoarserCellsIsTheSamePictureRoughly) {
     EXPECT_NEAR(mean(rough), mean(fine), 6.0);
 }
 
+/// The coarsest cells that the strip of the brush editor is painted with.
+TEST(ToolSample, AStrawPartsAPuddleOnCoarseCellsToo) {
+    const brush::Preset& straw = brush::find_preset("Straw 8");
+    const SampleBoard::Size coarse{.width_mm = sample_width_mm(mark_width_mm(straw), 600, 108),
+                                   .width_px = 600,
+                                   .height_px = 108,
+                                   .cell_px = 8.0};
+    const pigment::Image8 image = sample(straw, coarse);
+    const auto red_at = [&](double x) {
+        const int column = static_cast<int>(x * image.width), row = image.height / 2;
+        return int{image.rgb[static_cast<std::size_t>(3 * (row * image.width + column))]};
+    };
+    // Blue paint has next to no red; what is left of it where the air went lets the board through.
+    EXPECT_GT(red_at(0.42), red_at(0.85) + 80);
+}
+
 TEST(ToolSample, IsGivenUpWhenItIsAskedTo) {
     EXPECT_TRUE(sample(brush::find_preset("flat"), kSize, [] { return true; }).rgb.empty());
     int asked = 0;

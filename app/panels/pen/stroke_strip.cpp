@@ -19,7 +19,7 @@ namespace {
 constexpr double kRoughCell_px = 2.0;
 /// Air drives paint in many short steps, the more the finer the cells, and leaves no streaks as fine as
 /// those of bristles.
-constexpr double kBlownCells = 2.0;
+constexpr double kBlownCells = 4.0;
 constexpr int kRest_ms = 150;
 
 constexpr int kMargin = 8;
