@@ -1,5 +1,7 @@
 #include "interactions/paint.hpp"
 
+#include "tools/touch_doubt.hpp"
+
 namespace pastoso::interactions {
 namespace {
 
@@ -43,7 +45,7 @@ Took Paint::press(const input::PointerEvent& event) {
     if (event.button != Qt::LeftButton || !may) return Took::Nothing;
     waiting_.start();
     tools::Pointer pointer = event.pointer;
-    pointer.beside = is_beside(pointer, canvas_.canvas_size_mm());
+    pointer.beside = is_beside(pointer, canvas_.canvas_size_mm()) || may_touch_nothing(pointer);
     pressure_ = pointer.pressure;
     if (surface_ == document::Surface::Well && event.modifiers.testFlag(Qt::ControlModifier)) {
         easel_.squeeze(pointer.x_mm, pointer.y_mm);
@@ -52,6 +54,12 @@ Took Paint::press(const input::PointerEvent& event) {
     easel_.press(pointer, event.modifiers.testFlag(Qt::ShiftModifier));
     if (surface_ == document::Surface::Canvas) Q_EMIT stroke_begun({pointer.x_mm, pointer.y_mm});
     return Took::Pointer;
+}
+
+bool Paint::may_touch_nothing(const tools::Pointer& pointer) const {
+    const document::Snapshot* shown = canvas_.shown();
+    return surface_ == document::Surface::Canvas && shown != nullptr &&
+           tools::may_touch_nothing(*shown, pointer.x_mm, pointer.y_mm);
 }
 
 /// In the air, too.

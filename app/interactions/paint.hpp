@@ -41,6 +41,7 @@ class Paint : public QObject, public view::Interaction {
 
   private:
     bool marks() const;
+    bool may_touch_nothing(const tools::Pointer& pointer) const;
     void draw_line(const view::Overlay& overlay, const glm::dvec2& end_mm) const;
 
     view::CanvasView& canvas_;

@@ -22,7 +22,7 @@ struct Pointer {
     double x_mm = 0.0;
     double y_mm = 0.0;
     document::Surface surface = document::Surface::Canvas;  ///< that x and y lie on
-    bool beside = false;                                    ///< x and y are outside of it
+    bool beside = false;  ///< of it, or of what the brush changes there
     double pressure = 0.5;
     double tilt_x_deg = 0.0;
     double tilt_y_deg = 0.0;

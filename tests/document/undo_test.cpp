@@ -267,6 +267,46 @@ TEST_F(UndoBeside, AirThatReachesTheWellTouchesIt) {
     EXPECT_EQ(blow(100.0), 1);
 }
 
+/// From left to right, 25 mm below the canvas's upper edge.
+void paint_low(Painting& painting, double from_x_mm, double to_x_mm) {
+    painting.apply(PenDown{.sample = {0.0, from_x_mm, 25.0, 0.5}, .beside = true});
+    for (int i = 1; i <= 30; ++i)
+        painting.apply(PenMove{{0.01 * i, from_x_mm + (to_x_mm - from_x_mm) * i / 30.0, 25.0, 0.5}});
+    painting.apply(PenUp{});
+}
+
+TEST_F(UndoBeside, AStrokeBesideTheSelectionIsNoStep) {
+    painting.apply(SelectArea{{{0, 20}, {10, 20}, {10, 30}, {0, 30}}});
+    const std::size_t steps = painting.undo_steps().size();
+    paint_low(painting, 25.0, 35.0);
+    EXPECT_EQ(painting.undo_steps().size(), steps);
+    EXPECT_EQ(painting.late_strokes(), 0);
+    paint_low(painting, 25.0, 5.0);
+    EXPECT_EQ(painting.undo_steps().size(), steps + 1);
+    EXPECT_EQ(painting.late_strokes(), 1);
+    EXPECT_LT(painting.account().volume_error_rel(), kRounding);
+}
+
+TEST_F(UndoBeside, AStrokeOnMaskingFluidIsNoStep) {
+    painting.apply(MaskStripe{{{0, 25}, {40, 25}}, 30});
+    const std::size_t steps = painting.undo_steps().size();
+    paint_low(painting, 10.0, 30.0);
+    EXPECT_EQ(painting.undo_steps().size(), steps);
+}
+
+TEST_F(UndoBeside, ADryBrushOnBareCanvasIsNoStep) {
+    painting.apply(Undo{});
+    painting.apply(TakeBrush{"flat", 8, 2});
+    const std::size_t undone = painting.redo_steps().size();
+    paint_low(painting, 10.0, 30.0);
+    EXPECT_TRUE(painting.undo_steps().empty());
+    EXPECT_EQ(painting.redo_steps().size(), undone) << "nothing was painted over what was undone";
+    painting.apply(load_of("PB29"));
+    paint_low(painting, 10.0, 30.0);
+    EXPECT_EQ(painting.undo_steps().size(), 1U);
+    EXPECT_FALSE(painting.can_redo());
+}
+
 TEST_F(UndoBeside, UndoDuringItTakesBackWhatWasBefore) {
     painting.apply(PenDown{.sample = {0.0, -30.0, 15.0, 0.5}, .beside = true});
     painting.apply(Undo{});

@@ -22,7 +22,9 @@ enum class Surface { Canvas, Well };
 struct PenDown {
     brush::PenSample sample;
     Surface surface = Surface::Canvas;  ///< until the pen lifts
-    bool beside = false;  ///< the surface: the stroke is an undo step once it touches, and none before
+    /// The surface, or what the brush changes of it: the stroke is an undo step once it touches, and
+    /// none before.
+    bool beside = false;
     friend bool operator==(const PenDown&, const PenDown&) = default;
 };
 struct PenMove {
