@@ -352,6 +352,12 @@ void Easel::squeeze_next(const document::PaintRecipe& paint, bool joins) {
     ++squeezed_;
 }
 
+void Easel::squeeze_puddle(const document::Puddle& puddle, bool joins) {
+    end_stroke();
+    post_(SqueezePaint{puddle.paint, std::clamp(puddle.volume_mm3, kLeastSqueeze_mm3, kMostSqueeze_mm3),
+                       puddle.x_mm, puddle.y_mm, joins});
+}
+
 void Easel::clean_well() {
     end_stroke();
     squeezed_ = 0;

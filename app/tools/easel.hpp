@@ -3,6 +3,7 @@
 
 #include "brush/pen_sample.hpp"
 #include "document/events.hpp"
+#include "document/puddles.hpp"
 #include "tools/hand.hpp"
 #include "tools/heading.hpp"
 #include "tools/squeezed_paints.hpp"
@@ -128,6 +129,8 @@ class Easel {
 
     /// The same with another paint; one undo step with the last one where it joins that.
     void squeeze_next(const document::PaintRecipe& paint, bool joins = false);
+    /// As much of a mixture as there was, where it lay.
+    void squeeze_puddle(const document::Puddle& puddle, bool joins);
     void clean_well();
 
     /// What was squeezed out here.

@@ -89,6 +89,38 @@ std::vector<NamedPaint> read_mixes(const JsonPlace& place) {
     return shelf.mixes;
 }
 
+Json puddles_json(const std::vector<document::Puddle>& puddles) {
+    Json list = Json::array();
+    for (const document::Puddle& puddle : puddles)
+        list.push_back({{"paint", recordings::paint_json(puddle.paint)},
+                        {"volume_mm3", puddle.volume_mm3},
+                        {"x_mm", puddle.x_mm},
+                        {"y_mm", puddle.y_mm}});
+    return list;
+}
+
+/// What can be squeezed out.
+document::Puddle read_puddle(const JsonPlace& place) {
+    place.allow_only({"paint", "volume_mm3", "x_mm", "y_mm"});
+    document::Puddle puddle{recordings::read_paint(place.entry("paint")),
+                            place.entry("volume_mm3").number(), place.entry("x_mm").number(),
+                            place.entry("y_mm").number()};
+    place.guard([&] {
+        document::check_action(
+            document::SqueezePaint{puddle.paint, puddle.volume_mm3, puddle.x_mm, puddle.y_mm});
+    });
+    return puddle;
+}
+
+std::vector<document::Puddle> read_puddles(const JsonPlace& place) {
+    if (place.size() > document::kMostPuddles)
+        place.fail("there are %1 puddles, but only %2 have room.", place.size(), document::kMostPuddles);
+    std::vector<document::Puddle> puddles;
+    for (std::size_t i = 0; i < place.size(); ++i)
+        puddles.push_back(read_puddle(place.element(i)));
+    return puddles;
+}
+
 template <std::size_t kCount>
 std::size_t read_name(const JsonPlace& place, const std::array<const char*, kCount>& names) {
     const std::string text = place.text();
@@ -189,11 +221,12 @@ int add_paint_set(const PaintShelf& set, PaintShelf& shelf) {
 PaintShelf read_shelf(const std::filesystem::path& file) {
     PaintShelf shelf;
     read_memory(file, kVersion, [&](const JsonPlace& root) {
-        root.allow_only({"version", "recent", "kept", "mixes", "opened", "aids"});
+        root.allow_only({"version", "recent", "kept", "mixes", "opened", "aids", "puddles"});
         shelf.recent = read_paints(root.entry("recent"), kMostRecentPaints);
         shelf.kept = read_paints(root.entry("kept"), kMostKeptPaints);
         if (const auto mixes = root.optional_entry("mixes")) shelf.mixes = read_mixes(*mixes);
         if (const auto aids = root.optional_entry("aids")) shelf.aids = read_aids(*aids);
+        if (const auto puddles = root.optional_entry("puddles")) shelf.puddles = read_puddles(*puddles);
         if (const auto opened = root.optional_entry("opened")) shelf.opened = read_palette(*opened);
     });
     return shelf;
@@ -205,6 +238,7 @@ void write_shelf(const PaintShelf& shelf, const std::filesystem::path& file) {
     if (!shelf.mixes.empty()) root["mixes"] = mixes_json(shelf.mixes);
     if (!(shelf.aids == ColourAids{})) root["aids"] = aids_json(shelf.aids);
     if (!shelf.opened.colours.empty()) root["opened"] = palette_json(shelf.opened);
+    if (!shelf.puddles.empty()) root["puddles"] = puddles_json(shelf.puddles);
     write_memory(root, file);
 }
 

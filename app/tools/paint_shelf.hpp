@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/events.hpp"
+#include "document/puddles.hpp"
 #include "pigment/gpl.hpp"
 #include "tools/colour_aids.hpp"
 
@@ -30,6 +31,7 @@ struct PaintShelf {
     std::vector<NamedPaint> mixes;              ///< in the painter's order, at most kMostMixes
     pigment::ColourPalette opened;              ///< of another program, or of a picture
     ColourAids aids;                            ///< of the wheel
+    std::vector<document::Puddle> puddles;      ///< of a well, at most document::kMostPuddles
 };
 
 /// Puts the paint first among the recent ones.

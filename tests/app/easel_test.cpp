@@ -109,16 +109,33 @@ TEST_F(EaselTest, KnowsThePaintsOfTheLastWell) {
     for (const document::PaintRecipe& paint : {blue, white, blue})
         easel_.squeeze_next(paint);
     EXPECT_TRUE(paints.last().empty());
-    EXPECT_THAT(paints.latest(), ElementsAre(blue, white));
-    paints.begin();
-    EXPECT_THAT(paints.last(), ElementsAre(blue, white));
-    paints.begin();
-    EXPECT_THAT(paints.last(), ElementsAre(blue, white)) << "beside that painting there was none";
+    EXPECT_THAT(paints.latest({}).squeezed, ElementsAre(blue, white));
+    paints.begin({});
+    EXPECT_THAT(paints.last().squeezed, ElementsAre(blue, white));
+    paints.begin({});
+    EXPECT_THAT(paints.last().squeezed, ElementsAre(blue, white)) << "beside that painting was none";
     easel_.squeeze_next(white);
-    EXPECT_THAT(paints.last(), ElementsAre(blue, white));
-    EXPECT_THAT(paints.latest(), ElementsAre(white));
+    EXPECT_THAT(paints.last().squeezed, ElementsAre(blue, white));
+    EXPECT_THAT(paints.latest({}).squeezed, ElementsAre(white));
     easel_.clean_well();
-    EXPECT_THAT(paints.latest(), ElementsAre(blue, white)) << "the well is bare";
+    EXPECT_THAT(paints.latest({}).squeezed, ElementsAre(blue, white)) << "the well is bare";
+}
+
+TEST_F(EaselTest, KnowsTheMixturesOfTheLastWell) {
+    const document::PaintRecipe tint{{{"PB29", 1.0}, {"PW6", 1.0}}, 1.0};
+    const document::Puddle mixed{{{{"PB29", 1.0}, {"PW6", 4.0}}, 1.0}, 80.0, 30.0, 20.0};
+    const document::Puddle as_squeezed{{{{"PB29", 50.5}, {"PW6", 49.5}}, 1.0}, 250.0, 60.0, 20.0};
+    SqueezedPaints& paints = easel_.squeezed_paints();
+    easel_.squeeze_next(tint);
+    paints.begin({mixed, as_squeezed});
+    EXPECT_EQ(paints.last(), (WellPalette{{tint}, {mixed}}));
+    paints.begin({});
+    EXPECT_EQ(paints.last(), (WellPalette{{tint}, {mixed}})) << "beside that painting was none";
+    EXPECT_EQ(paints.latest({as_squeezed}), (WellPalette{{tint}, {as_squeezed}}));
+    easel_.squeeze_puddle(mixed, true);
+    EXPECT_EQ(std::get<SqueezePaint>(actions_.back()),
+              (SqueezePaint{mixed.paint, 80.0, 30.0, 20.0, true}));
+    EXPECT_EQ(paints.latest({}), (WellPalette{{tint}, {mixed}})) << "it is no tube of this well";
 }
 
 TEST_F(EaselTest, SqueezesInTwoRowsAlongTheEdges) {

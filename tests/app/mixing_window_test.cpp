@@ -478,6 +478,21 @@ TEST_F(Tubes, OfTheLastWellAreSqueezedOutAgain) {
     EXPECT_TRUE(session().take_errors().empty());
 }
 
+TEST_F(Tubes, WhatWasMixedOnTheLastWellIsSqueezedOutAgainToo) {
+    studio().easel().squeeze_next({{{"PR108", 1.0}}, 1.0});
+    studio().easel().squeeze_puddle({{{{"PB29", 62.0}, {"PW6", 38.0}}, 1.0}, 150.0, 60.0, 45.0}, false);
+    const document::CanvasSettings canvas = session().canvas();
+    session().wait_until_applied();
+    parts().files.new_canvas(canvas);
+    loaded();
+    Q_EMIT panel().sets().last_palette_wanted();
+    EXPECT_EQ(squeezed(), (std::vector<std::string>{"PR108", "PB29"}));
+    studio().easel().undo();
+    session().wait_until_applied();
+    EXPECT_FALSE(session().snapshot()->well.has_value()) << "all of it in one step";
+    EXPECT_TRUE(session().take_errors().empty());
+}
+
 // ---- the eyedropper
 
 class Eyedropper : public MixingWindow {

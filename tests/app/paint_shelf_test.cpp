@@ -41,12 +41,14 @@ TEST_F(PaintShelfTest, ComesBackAsItWasWritten) {
     keep_mix({"my sky", {{{"PB29", 1.0}, {"PW6", 8.0}}, 0.5}}, shelf);
     shelf.aids = {Harmony::Triad, with_corner({MaskShape::Complementary, 45.0}, 1, {-0.125, 0.25})};
     shelf.opened = {"Earths", {{"Umber \"raw\"", {120, 60, 20}}, {"", {200, 150, 60}}}};
+    shelf.puddles = {{{{{"PB29", 62.0}, {"PW6", 38.0}}, 1.0}, 80.5, 30.0, 20.25}};
     write_shelf(shelf, file());
     const PaintShelf back = read_shelf(file());
     EXPECT_EQ(back.recent, shelf.recent);
     EXPECT_EQ(back.kept, shelf.kept);
     EXPECT_EQ(back.mixes, shelf.mixes);
     EXPECT_EQ(back.aids, shelf.aids);
+    EXPECT_EQ(back.puddles, shelf.puddles);
     EXPECT_EQ(back.opened.name, "Earths");
     ASSERT_EQ(back.opened.colours.size(), 2U);
     EXPECT_EQ(back.opened.colours[0].name, "Umber \"raw\"");
@@ -141,6 +143,10 @@ TEST_F(PaintShelfTest, FaultsAreToldWithTheirPlace) {
     EXPECT_EQ(fault_of(with("\"aids\": {\"harmony\": \"none\", \"mask\": \"triad\", \"turn_deg\": 0, "
                             "\"corners\": [[1, 0], [0, 1]]}")),
               name + ", aids.corners: these are no corners of that mask.");
+    EXPECT_THAT(
+        fault_of(with("\"puddles\": [{\"paint\": {\"mix\": [[\"PB29\", 1]]}, \"volume_mm3\": 0.5, "
+                      "\"x_mm\": 1, \"y_mm\": 2}]")),
+        HasSubstr(name + ", puddles[0]: the volume of the squeezed paint"));
     EXPECT_EQ(fault_of("{\"version\": 2}"), name + ", version: 2 is not between 1 and 1.");
     EXPECT_EQ(fault_of("{\"version\": 1, \"recent\": [], \"kept\": [], \"opened\": {\"name\": \"x\", "
                        "\"colours\": [[\"red\", \"x\"]]}}"),

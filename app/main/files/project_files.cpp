@@ -107,7 +107,6 @@ void ProjectFiles::put_up(PreparedPainting& painting) {
     MadePainting& made = painting.made;
     studio_.put_up(std::move(made.pool), std::move(made.painting), std::move(made.past),
                    std::move(painting.journal), std::move(painting.begin_journal));
-    studio_.easel().squeezed_paints().begin();
     saving_.reset();
     path_.clear();
     stamp_.reset();

@@ -1,10 +1,13 @@
 #include "main/paint/tube_commands.hpp"
 
 #include "core/user_data.hpp"
+#include "document/actions/actions.hpp"
 #include "panels/paint/paint_panel.hpp"
 #include "panels/paint/tube_menu.hpp"
 #include "tools/paint_shelf.hpp"
 #include "tools/swatch.hpp"
+
+#include <utility>
 
 #include <QAction>
 #include <QFileDialog>
@@ -39,6 +42,8 @@ TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
       file_(studio, core::user_data_path("tubes.json"),
             [](const auto& file) { tools::read_rack(file); }),
       palette_file_(studio, core::user_data_path("last-palette.json")) {
+    connect(&studio_, &Studio::session_ends, this,
+            [this] { studio_.easel().squeezed_paints().begin(puddles()); });
     panels::TubeMenu& sets = panel_->sets();
     connect(panel_, &panels::PaintPanel::arranged, this,
             [this] { change([this](auto& rack) { tools::arrange(tubes_of(panel_->tubes()), rack); }); });
@@ -72,7 +77,8 @@ TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
 void TubeCommands::recall() {
     file_.recall([this](const auto& file) { rack_ = tools::read_rack(file); });
     palette_file_.recall([this](const auto& file) {
-        studio_.easel().squeezed_paints().set_last(tools::read_shelf(file).kept);
+        const tools::PaintShelf palette = tools::read_shelf(file);
+        studio_.easel().squeezed_paints().set_last({palette.kept, palette.puddles});
     });
     show();
 }
@@ -83,9 +89,11 @@ void TubeCommands::remember() {
 
 /// As a set of paints is written, which it is.
 void TubeCommands::remember_palette() {
+    const tools::WellPalette latest = studio_.easel().squeezed_paints().latest(puddles());
+    if (latest.empty()) return;
     tools::PaintShelf palette;
-    palette.kept = studio_.easel().squeezed_paints().latest();
-    if (palette.kept.empty()) return;
+    palette.kept = latest.squeezed;
+    palette.puddles = latest.puddles;
     palette_file_.remember([&](const auto& file) { tools::write_shelf(palette, file); });
 }
 
@@ -146,10 +154,22 @@ void TubeCommands::change(const std::function<void(tools::TubeRack&)>& work) {
     remember();
 }
 
-/// From the first free place of the well's edge on, in one undo step.
-void TubeCommands::squeeze_out(const std::vector<document::PaintRecipe>& paints) {
-    for (std::size_t i = 0; i < paints.size(); ++i)
-        studio_.easel().squeeze_next(paints[i], i > 0);
+/// On the well as it is now.
+std::vector<document::Puddle> TubeCommands::puddles() const {
+    studio_.session().wait_until_applied();
+    const auto painting = studio_.session().snapshot();
+    if (!painting->well) return {};
+    const film::Medium medium = document::medium_of(studio_.easel().hand().medium);
+    return document::puddles_on(*painting->well, studio_.session().paints_used(), medium.pigment_share);
+}
+
+/// The tubes from the first free place of the well's edge on, mixtures where they lay; in one undo step.
+void TubeCommands::squeeze_out(const tools::WellPalette& palette) {
+    bool joins = false;
+    for (const document::PaintRecipe& paint : palette.squeezed)
+        studio_.easel().squeeze_next(paint, std::exchange(joins, true));
+    for (const document::Puddle& puddle : palette.puddles)
+        studio_.easel().squeeze_puddle(puddle, std::exchange(joins, true));
     QAction* well = studio_.commands().action(commands::Command::MixingWell);
     if (!well->isChecked()) well->trigger();
 }
@@ -159,14 +179,14 @@ void TubeCommands::squeeze_set() {
     std::vector<document::PaintRecipe> paints;
     for (const std::string& tube : tools::shown_tubes(rack_, all_))
         paints.push_back(tools::tube_paint(tube));
-    squeeze_out(paints);
+    squeeze_out({paints, {}});
 }
 
 void TubeCommands::squeeze_last_palette() {
-    const std::vector<document::PaintRecipe> paints = studio_.easel().squeezed_paints().last();
-    if (paints.empty())
+    const tools::WellPalette palette = studio_.easel().squeezed_paints().last();
+    if (palette.empty())
         return studio_.report(tr("No paint was squeezed out beside an earlier painting yet."));
-    squeeze_out(paints);
+    squeeze_out(palette);
 }
 
 void TubeCommands::show() {

@@ -25,7 +25,7 @@ class TubeCommands : public QObject {
     /// A file that cannot be read is told, and left as it is.
     void recall();
     void remember();
-    /// The paints on the well, for the next painting.
+    /// The paints and mixtures on the well, for the next painting.
     void remember_palette();
 
     /// Makes a set of the tubes that are shown. A name of blanks is told.
@@ -43,7 +43,8 @@ class TubeCommands : public QObject {
     void ask_import();
     QString asked_name(const QString& title, const QString& name);
     void change(const std::function<void(tools::TubeRack&)>& work);
-    void squeeze_out(const std::vector<document::PaintRecipe>& paints);
+    std::vector<document::Puddle> puddles() const;
+    void squeeze_out(const tools::WellPalette& palette);
     void squeeze_set();
     void squeeze_last_palette();
     void show();
