@@ -264,11 +264,18 @@ film::SupportHeights base_below_active(const LayerStack& stack, film::SupportHei
     return bare_mm;
 }
 
+film::FilmState seen_by(layers::View& view, const film::FilmState& active,
+                        const film::SupportHeights& bare_mm, const LayerStack& stack,
+                        core::ThreadPool& pool) {
+    return view.of(bare_canvas_like(active, bare_mm), seen_layers(stack, active), pool);
+}
+
 film::FilmState view_of(const film::FilmState& film, const film::SupportHeights& bare_mm,
                         const LayerStack& stack, core::ThreadPool& pool) {
     if (is_single(stack)) return film;
     const film::FilmState active = layers::lifted_off(film, base_below_active(stack, bare_mm));
-    return layers::View().of(bare_canvas_like(film, bare_mm), seen_layers(stack, active), pool);
+    layers::View view;
+    return seen_by(view, active, bare_mm, stack, pool);
 }
 
 LayeredCanvas::LayeredCanvas(PaintingValue& painting, const film::Medium& medium, core::ThreadPool& pool)
@@ -585,8 +592,7 @@ LayerPaint LayeredCanvas::paint() const {
 film::FilmState LayeredCanvas::view() {
     if (is_single(painting_.layers)) return painting_.film;
     const film::FilmState active = lifter_.lifted_off(painting_.film, base_mm_);
-    return view_.of(bare_canvas_like(painting_.film, painting_.bare->support_mm),
-                    seen_layers(painting_.layers, active), pool_);
+    return seen_by(view_, active, painting_.bare->support_mm, painting_.layers, pool_);
 }
 
 std::uint64_t state_hash(const film::FilmState& film, const LayerStack& stack) {

@@ -42,6 +42,11 @@ film::SupportHeights base_below_active(const LayerStack& stack, film::SupportHei
 film::FilmState view_of(const film::FilmState& film, const film::SupportHeights& bare_mm,
                         const LayerStack& stack, core::ThreadPool& pool);
 
+/// The same of an active layer that is apart from what it lies on, by a view that keeps what it saw.
+film::FilmState seen_by(layers::View& view, const film::FilmState& active,
+                        const film::SupportHeights& bare_mm, const LayerStack& stack,
+                        core::ThreadPool& pool);
+
 /// What is on a layer in all, and what has left it as vapour.
 struct LayerPaint {
     film::Totals wet;
