@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -54,7 +55,8 @@ layers::Adjustment adjustment_of(const ChosenAdjustment& chosen) {
     return chosen.exchange;
 }
 
-AdjustDialog::AdjustDialog(const ChosenAdjustment& proposal, Foretell foretell, QWidget* parent)
+AdjustDialog::AdjustDialog(const ChosenAdjustment& proposal, bool previews, Foretell foretell,
+                           QWidget* parent)
     : GrowingDialog(parent),
       chosen_(proposal),
       foretell_(std::move(foretell)),
@@ -62,6 +64,7 @@ AdjustDialog::AdjustDialog(const ChosenAdjustment& proposal, Foretell foretell, 
       ways_(new QComboBox),
       meaning_(wrapped({})),
       problem_(wrapped(tr("The medium in hand leaves next to nothing when it dries."))),
+      previews_(new QCheckBox(tr("&Preview"))),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Adjust dry paint"));
     form_->setContentsMargins(18, 18, 18, 14);
@@ -84,12 +87,17 @@ AdjustDialog::AdjustDialog(const ChosenAdjustment& proposal, Foretell foretell, 
     add_swatches();
     problem_->setObjectName(QStringLiteral("problem"));
     form_->addRow(problem_);
+    previews_->setObjectName(QStringLiteral("preview"));
+    previews_->setToolTip(tr("Show on the canvas what comes of it"));
+    previews_->setChecked(previews);
+    form_->addRow(previews_);
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("Adjust"));
     form_->addRow(buttons_);
     connect(ways_, &QComboBox::currentIndexChanged, this, [this] {
         read();
         show_way();
     });
+    connect(previews_, &QCheckBox::toggled, this, &AdjustDialog::changed);
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
     show_way();
@@ -136,13 +144,19 @@ void AdjustDialog::show_way() {
                    "too fine to see. It stays as thick as it is."));
 }
 
+bool AdjustDialog::previews() const {
+    return previews_->isChecked();
+}
+
 void AdjustDialog::show_outcome() {
     const auto colours = foretell_(adjustment_of(chosen_));
     problem_->setVisible(!colours);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(colours.has_value());
-    if (!colours) return;
-    show_colour(colours->before, before_);
-    show_colour(colours->after, after_);
+    if (colours) {
+        show_colour(colours->before, before_);
+        show_colour(colours->after, after_);
+    }
+    Q_EMIT changed();
 }
 
 }  // namespace pastoso::dialogs

@@ -1,4 +1,5 @@
-// Asks how the colour of dry paint is to be adjusted; shows its mean before and after.
+// Asks how the colour of dry paint is to be adjusted, and whether that is previewed on the canvas; shows
+// its mean before and after.
 #pragma once
 
 #include "dialogs/growing_dialog.hpp"
@@ -8,6 +9,7 @@
 #include <functional>
 #include <optional>
 
+class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
@@ -33,12 +35,18 @@ class AdjustDialog : public GrowingDialog {
     using Foretell =
         std::function<std::optional<tools::AdjustedColours>(const layers::Adjustment& adjustment)>;
 
-    AdjustDialog(const ChosenAdjustment& proposal, Foretell foretell, QWidget* parent = nullptr);
+    AdjustDialog(const ChosenAdjustment& proposal, bool previews, Foretell foretell,
+                 QWidget* parent = nullptr);
 
     const ChosenAdjustment& chosen() const { return chosen_; }
+    bool previews() const;
 
     /// Foretells anew: the paint in hand may be another one.
     void show_outcome();
+
+  Q_SIGNALS:
+    /// What is foretold may be another, or whether it is previewed.
+    void changed();
 
   private:
     QDoubleSpinBox* add_number(const QString& name, const QString& words, const QString& unit,
@@ -53,6 +61,7 @@ class AdjustDialog : public GrowingDialog {
     QComboBox* ways_ = nullptr;
     QLabel *meaning_ = nullptr, *before_ = nullptr, *after_ = nullptr, *problem_ = nullptr;
     QDoubleSpinBox *thickness_ = nullptr, *share_ = nullptr;
+    QCheckBox* previews_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;
 };
 

@@ -94,7 +94,8 @@ void CanvasView::screen_failed(const QString& sentence) {
 }
 
 screen::Sight CanvasView::sight() const {
-    return {wanted_, wanted_ == nullptr ? nullptr : seen_tracing(), lighting_, viewing_, look_};
+    return {painting_preview_ != nullptr ? painting_preview_ : wanted_,
+            wanted_ == nullptr ? nullptr : seen_tracing(), lighting_, viewing_, look_};
 }
 
 void CanvasView::draw_over(const document::Snapshot& shown, screen::OverlayPainter& painter) {
@@ -115,6 +116,8 @@ void CanvasView::show_snapshot(std::shared_ptr<const document::Snapshot> snapsho
     const bool stands_otherwise = wanted_ != nullptr && has_swapped_sides(*wanted_, *snapshot);
     if (wanted_ != nullptr && wanted_->tracing != snapshot->tracing) tracing_preview_.reset();
     wanted_ = std::move(snapshot);
+    if (painting_preview_ != nullptr && painting_preview_->bare != wanted_->bare)
+        painting_preview_.reset();
     if (other_canvas || shift_mm) begin_other_canvas();
     if (shift_mm && !(fitted_ && stands_otherwise)) {
         fitted_ = false;
@@ -148,6 +151,12 @@ void CanvasView::show_tracing(bool shown) {
 
 void CanvasView::preview_tracing(screen::Tracing tracing) {
     tracing_preview_ = std::move(tracing);
+    screen_->refresh();
+}
+
+void CanvasView::preview_painting(std::shared_ptr<const document::Snapshot> painting) {
+    if (painting == painting_preview_) return;
+    painting_preview_ = std::move(painting);
     screen_->refresh();
 }
 

@@ -63,6 +63,9 @@ class CanvasView : public QWidget, private screen::ScreenHost {
     /// Shows this one in place of the painting's own, until that becomes another.
     void preview_tracing(screen::Tracing tracing);
 
+    /// Shows this one in place of the painting of the same canvas; null: the painting again.
+    void preview_painting(std::shared_ptr<const document::Snapshot> painting);
+
     /// Outlines what would be selected in place of what is.
     void preview_selection(std::optional<document::Selection> preview);
 
@@ -193,7 +196,7 @@ class CanvasView : public QWidget, private screen::ScreenHost {
     screen::DrawnBy drawn_by_ = screen::DrawnBy::Fastest;
     bool opengl_failed_ = false;
     std::unique_ptr<screen::CanvasScreen> screen_;
-    std::shared_ptr<const document::Snapshot> wanted_;
+    std::shared_ptr<const document::Snapshot> wanted_, painting_preview_;
     screen::ViewTransform view_;
     bool fitted_ = true;  ///< follows the window's size until the painter zooms or pans
     shade::Lighting lighting_;

@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -54,11 +55,30 @@ class AdjustWindow : public SelectionFixture {
         session().wait_until_applied();
         return std::get<document::AdjustDryPaint>(session().recording().events.back().action);
     }
+    static film::StrataOptics optics_of(const document::Snapshot& painting, double x_mm, double y_mm) {
+        return painting.film.strata.optics.at(static_cast<int>(x_mm / painting.film.cell_mm),
+                                              static_cast<int>(y_mm / painting.film.cell_mm));
+    }
     film::StrataOptics optics(double x_mm, double y_mm) {
         session().wait_until_applied();
-        const auto painting = session().snapshot();
-        return painting->film.strata.optics.at(static_cast<int>(x_mm / painting->film.cell_mm),
-                                               static_cast<int>(y_mm / painting->film.cell_mm));
+        return optics_of(*session().snapshot(), x_mm, y_mm);
+    }
+    film::StrataOptics shown_optics(double x_mm, double y_mm) {
+        return optics_of(*canvas().shown(), x_mm, y_mm);
+    }
+    bool shows_the_painting() { return canvas().shown() == session().snapshot().get(); }
+    /// Until the canvas shows this of the middle.
+    void wait_for_shown(const film::StrataOptics& optics) {
+        wait_for([&] { return shown_optics(20.0, 20.0) == optics; });
+    }
+    /// What the middle becomes.
+    film::StrataOptics adjusted_optics(Way way) {
+        dialogs::AdjustDialog& asked = opened();
+        choose(asked, way);
+        adjust(asked);
+        const film::StrataOptics after = optics(20.0, 20.0);
+        give(Command::Undo);
+        return after;
     }
 };
 
@@ -168,6 +188,93 @@ TEST_F(AdjustWindow, AMediumOfWhichNothingStaysIsNoGlaze) {
     dialogs::AdjustDialog& asked = opened();
     EXPECT_FALSE(asked.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
     EXPECT_TRUE(part<QLabel>(asked, "problem").isVisibleTo(&asked));
+}
+
+TEST_F(AdjustWindow, TheCanvasShowsWhatWillCome) {
+    lay_dry_blue();
+    take_white();
+    for (const Way way : {Way::Glaze, Way::Exchange}) {
+        const film::StrataOptics after = adjusted_optics(way);
+        ASSERT_NE(after, optics(20.0, 20.0));
+        dialogs::AdjustDialog& asked = opened();
+        ASSERT_EQ(asked.chosen().way, way) << "as it was chosen last";
+        wait_for_shown(after);
+        EXPECT_NE(optics(20.0, 20.0), after) << "the painting is as it was";
+        adjust(asked);
+        EXPECT_EQ(optics(20.0, 20.0), after);
+        EXPECT_TRUE(shows_the_painting());
+        give(Command::Undo);
+    }
+}
+
+TEST_F(AdjustWindow, ThePreviewKeepsToTheSelectionAndFollowsTheNumber) {
+    lay_dry_blue();
+    take_white();
+    give(Command::SelectRectangle);
+    drag({{10.0, 10.0}, {40.0, 30.0}});
+    dialogs::AdjustDialog& asked = opened();
+    choose(asked, Way::Exchange);
+    const film::StrataOptics before = optics(20.0, 20.0);
+    wait_for([&] { return shown_optics(20.0, 20.0) != before; });
+    EXPECT_EQ(shown_optics(50.0, 20.0), before);
+    part<QDoubleSpinBox>(asked, "share").setValue(0.0);
+    wait_for_shown(before);
+}
+
+TEST_F(AdjustWindow, CancelLeavesAllAsItWas) {
+    lay_dry_blue();
+    take_white();
+    const QImage picture_before = picture();
+    const std::int64_t events = events_posted();
+    const std::uint64_t before = film::state_hash(session().snapshot()->film);
+    dialogs::AdjustDialog& asked = opened();
+    choose(asked, Way::Exchange);
+    wait_for([&] { return shown_optics(20.0, 20.0) != optics(20.0, 20.0); });
+    EXPECT_NE(picture(), picture_before);
+    asked.reject();
+    settle();
+    EXPECT_TRUE(shows_the_painting());
+    EXPECT_EQ(events_posted(), events);
+    EXPECT_EQ(film::state_hash(session().snapshot()->film), before);
+    EXPECT_EQ(picture(), picture_before);
+}
+
+TEST_F(AdjustWindow, WithoutThePreviewTheCanvasStaysAsItIs) {
+    lay_dry_blue();
+    take_white();
+    dialogs::AdjustDialog& asked = opened();
+    auto& preview = part<QCheckBox>(asked, "preview");
+    EXPECT_TRUE(preview.isChecked());
+    wait_for([&] { return shown_optics(20.0, 20.0) != optics(20.0, 20.0); });
+    preview.setChecked(false);
+    wait_for([&] { return shows_the_painting(); });
+    asked.reject();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    dialogs::AdjustDialog& again = opened();
+    EXPECT_FALSE(part<QCheckBox>(again, "preview").isChecked()) << "as it was chosen last";
+    EXPECT_TRUE(shows_the_painting());
+}
+
+TEST_F(AdjustWindow, ThePreviewFollowsThePaintInHandAndWhatIsTakenBack) {
+    lay_dry_blue();
+    take_white();
+    const film::StrataOptics once = adjusted_optics(Way::Exchange);
+    adjust(opened());
+    opened();
+    wait_for([&] { return shown_optics(20.0, 20.0) != once; });
+    give(Command::Undo);
+    wait_for_shown(once);
+    studio().choose_paint({{{"PB29", 1.0}}});
+    wait_for([&] { return shown_optics(20.0, 20.0) != once; });
+}
+
+TEST_F(AdjustWindow, AnotherLayerEndsThePreview) {
+    lay_dry_blue();
+    take_white();
+    opened();
+    wait_for([&] { return shown_optics(20.0, 20.0) != optics(20.0, 20.0); });
+    give(Command::AddLayer);
+    wait_for([&] { return shows_the_painting(); });
 }
 
 }  // namespace

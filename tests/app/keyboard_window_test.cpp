@@ -428,7 +428,7 @@ TEST_F(Keyboard, ReachesAllOfEveryAdjustment) {
     using Way = dialogs::ChosenAdjustment::Way;
     for (const Way way : {Way::Glaze, Way::Exchange}) {
         dialogs::AdjustDialog dialog(
-            {.way = way}, [](const auto&) { return tools::AdjustedColours{}; }, &window());
+            {.way = way}, true, [](const auto&) { return tools::AdjustedColours{}; }, &window());
         expect_all_reached(dialog);
     }
 }

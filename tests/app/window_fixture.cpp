@@ -1,6 +1,7 @@
 #include "app/window_fixture.hpp"
 
 #include "appearance/theme.hpp"
+#include "dialogs/adjust_dialog.hpp"
 #include "graphics/opengl_support.hpp"
 #include "main/program/application.hpp"
 #include "main/program/language.hpp"
@@ -238,6 +239,15 @@ void WindowTest::wait_until_shown(QWidget& widget) {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&widget, kPatience_ms));
 }
 
+/// The latest painting, or what is previewed of it.
+bool WindowTest::shows(const document::Snapshot& latest) {
+    const document::Snapshot* shown = canvas().shown();
+    if (shown == &latest) return true;
+    const auto* asked = window_->findChild<dialogs::AdjustDialog*>();
+    return asked != nullptr && asked->isVisible() && shown != nullptr && shown->tick == latest.tick &&
+           shown->posted_actions >= latest.posted_actions;
+}
+
 void WindowTest::settle() {
     QApplication::processEvents();
     session().wait_until_applied();
@@ -245,7 +255,7 @@ void WindowTest::settle() {
     wait_for([&] {
         const document::Snapshot* shown = canvas().shown();
         // What is shown may make the window post more: then a later one of the same tick stands there.
-        return shown == latest.get() || shown == session().snapshot().get() ||
+        return shows(*latest) || shown == session().snapshot().get() ||
                (shown != nullptr && shown->tick > latest->tick);
     });
 }

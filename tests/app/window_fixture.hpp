@@ -91,6 +91,7 @@ class WindowTest : public ::testing::Test {
     std::filesystem::path settings_file() const;
 
   private:
+    bool shows(const document::Snapshot& latest);
     void send_pen(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons, const Pen& pen,
                   unsigned long time_ms);
 

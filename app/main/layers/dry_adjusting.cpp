@@ -2,7 +2,9 @@
 
 #include "document/actions/actions.hpp"
 #include "document/layers.hpp"
+#include "main/canvas/dialog_corner.hpp"
 #include "main/paint/lent_paint.hpp"
+#include "screen/window_pixels.hpp"
 #include "tools/mixed_paints.hpp"
 
 #include <cstdint>
@@ -18,13 +20,23 @@ constexpr int kForetoldLater_ms = 400;
 
 }  // namespace
 
-DryAdjusting::DryAdjusting(Studio& studio) : studio_(studio) {
+DryAdjusting::DryAdjusting(Studio& studio)
+    : studio_(studio),
+      previewer_(
+          [this](tools::DryPreviewer::Found found) {
+              QMetaObject::invokeMethod(
+                  this, [this, found = std::move(found)] { take(found); }, Qt::QueuedConnection);
+          },
+          studio.teller()) {
     studio_.commands().on(commands::Command::AdjustDryPaint, [this](bool) { ask(); });
     connect(&studio_, &Studio::published, this,
             [this](const auto& painting, const auto& status) { follow(*painting, status); });
     changed_.setSingleShot(true);
     changed_.setInterval(kForetoldLater_ms);
-    connect(&changed_, &QTimer::timeout, this, &DryAdjusting::look_again);
+    connect(&changed_, &QTimer::timeout, this, [this] {
+        looks_again_ = true;
+        preview();
+    });
 }
 
 void DryAdjusting::ask() {
@@ -43,23 +55,35 @@ void DryAdjusting::ask() {
     delete dialog_;
     colours_ = std::move(colours);
     adjusted_ = active_part(*painting);
+    looks_again_ = false;
+    ++asked_;
     dialog_ = new dialogs::AdjustDialog(
-        chosen_, [this](const layers::Adjustment& adjustment) { return foretold(adjustment); },
+        chosen_, previews_,
+        [this](const layers::Adjustment& adjustment) { return foretold(adjustment); },
         &studio_.window());
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     connect(&studio_, &Studio::hand_changed, dialog_, &dialogs::AdjustDialog::show_outcome);
     connect(&studio_, &Studio::session_ends, dialog_, &QDialog::reject);
+    connect(dialog_, &dialogs::AdjustDialog::changed, this, &DryAdjusting::preview);
     connect(dialog_, &QDialog::accepted, this, [this] { adjust(dialog_->chosen()); });
-    dialog_->show();
+    connect(dialog_, &QDialog::finished, this, [this] {
+        studio_.canvas().preview_painting(nullptr);
+        previewer_.forget();
+    });
+    show_in_corner(*dialog_, studio_.canvas());
+    preview();
+}
+
+film::PaintCoefficients DryAdjusting::paint() const {
+    const tools::Hand& hand = studio_.easel().hand();
+    return tools::remembered_paint(hand.paint, document::medium_of(hand.medium));
 }
 
 std::optional<tools::AdjustedColours> DryAdjusting::foretold(
     const layers::Adjustment& adjustment) const {
-    const tools::Hand& hand = studio_.easel().hand();
-    const film::PaintCoefficients paint =
-        tools::remembered_paint(hand.paint, document::medium_of(hand.medium));
-    if (!layers::can_lie_dry(paint)) return std::nullopt;
-    return colours_->adjusted(paint, adjustment,
+    const film::PaintCoefficients in_hand = paint();
+    if (!layers::can_lie_dry(in_hand)) return std::nullopt;
+    return colours_->adjusted(in_hand, adjustment,
                               {.ground = studio_.session().snapshot()->ground,
                                .lighting = studio_.canvas().lighting(),
                                .viewing = studio_.canvas().viewing()});
@@ -73,18 +97,42 @@ bool DryAdjusting::asks() const {
 /// asked about.
 void DryAdjusting::follow(const document::Snapshot& painting, const session::Status& status) {
     if (!asks()) return;
-    if (status.replaying || active_part(painting) != adjusted_)
-        dialog_->reject();
-    else if (!changed_.isActive())
-        changed_.start();
+    if (status.replaying || active_part(painting) != adjusted_) return dialog_->reject();
+    preview();
+    if (!changed_.isActive()) changed_.start();
 }
 
-/// It may have dried, or been painted on or taken back.
-void DryAdjusting::look_again() {
+std::optional<document::WantedAdjustment> DryAdjusting::previewed() const {
+    const film::PaintCoefficients in_hand = paint();
+    if (!previews_ || !layers::can_lie_dry(in_hand)) return std::nullopt;
+    return document::WantedAdjustment{in_hand, dialogs::adjustment_of(dialog_->chosen())};
+}
+
+/// The painting as it is stays on the canvas until there is something else to be seen.
+void DryAdjusting::preview() {
     if (!asks()) return;
-    tools::DryColours colours(*studio_.session().snapshot());
+    previews_ = dialog_->previews();
+    const auto wanted = previewed();
+    const view::CanvasView& canvas = studio_.canvas();
+    if (!wanted) studio_.canvas().preview_painting(nullptr);
+    if (!wanted && !looks_again_) return;
+    const auto painting = studio_.session().snapshot();
+    const grid::Rect seen =
+        screen::seen_cells(canvas.view_transform(), screen::window_px(canvas), painting->film.shape);
+    previewer_.want({painting, wanted, seen, looks_again_, asked_});
+}
+
+void DryAdjusting::take(const tools::DryPreviewer::Found& found) {
+    if (!asks() || found.number != asked_) return;
+    if (found.preview != nullptr && previewed()) studio_.canvas().preview_painting(found.preview);
+    if (found.colours) take_colours(*found.colours);
+}
+
+/// The paint may have dried, or been painted on or taken back.
+void DryAdjusting::take_colours(const tools::DryColours& colours) {
+    looks_again_ = false;
     if (!colours.any()) return dialog_->reject();
-    colours_ = std::move(colours);
+    colours_ = colours;
     dialog_->show_outcome();
 }
 
