@@ -6,6 +6,7 @@
 #include "interactions/event_place.hpp"
 
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,15 @@ QImage veil_of(const QImage& picture, const QImage& below) {
     return veil;
 }
 
+/// Puts a picture of that size where its corners, by their sides, are. False: it would fold.
+bool placed_picture(const QSizeF& size, const std::function<QPointF(const glm::ivec2& side)>& corner,
+                    QTransform& placed) {
+    const QPolygonF from(
+        {{0.0, 0.0}, {size.width(), 0.0}, {size.width(), size.height()}, {0.0, size.height()}});
+    const QPolygonF to({corner({-1, -1}), corner({1, -1}), corner({1, 1}), corner({-1, 1})});
+    return QTransform::quadToQuad(from, to, placed);
+}
+
 }  // namespace
 
 Frame::Frame(view::CanvasView& canvas) : canvas_(canvas) {
@@ -63,15 +73,16 @@ void Frame::show(std::optional<tools::TransformFrame> frame) {
     frame_ = std::move(frame);
     if (!frame_) {
         drag_.reset();
-        picture_ = below_ = shown_ = veil_ = {};
+        picture_ = below_ = open_ = shown_ = veil_ = {};
     }
     canvas_.refresh();
 }
 
-void Frame::show_picture(const QImage& picture, const QImage& below) {
+void Frame::show_picture(const QImage& picture, const QImage& below, const QImage& open) {
     PASTOSO_CHECK(picture.size() == below.size());
     picture_ = picture;
     below_ = below;
+    open_ = open;
     take_screen_colours();
     canvas_.refresh();
 }
@@ -166,7 +177,35 @@ void Frame::draw_picture(const view::Overlay& overlay) const {
     constexpr double kVeil = 1.0, kPaint = 0.85;
     if (picture_.isNull() || *frame_ == as_it_was(*frame_)) return;
     draw_in(overlay, as_it_was(*frame_), veil_, kVeil);
-    draw_in(overlay, *frame_, shown_, kPaint);
+    if (open_.isNull())
+        draw_in(overlay, *frame_, shown_, kPaint);
+    else
+        draw_in(overlay, whole_canvas(), paint_on_open(), kPaint);
+}
+
+tools::TransformFrame Frame::whole_canvas() const {
+    return {.corner_mm = {}, .size_mm = canvas_.canvas_size_mm()};
+}
+
+/// A picture of the whole canvas.
+QImage Frame::paint_on_open() const {
+    QImage paint(open_.size(), QImage::Format_ARGB32_Premultiplied);
+    paint.fill(Qt::transparent);
+    const glm::dvec2 px_per_mm = glm::dvec2(open_.width(), open_.height()) / canvas_.canvas_size_mm();
+    const auto pixel = [&](const glm::ivec2& side) {
+        const glm::dvec2 place = px_per_mm * tools::handle_mm(*frame_, side);
+        return QPointF(place.x, place.y);
+    };
+    QTransform placed;
+    if (!placed_picture(shown_.size(), pixel, placed)) return paint;
+    QPainter painter(&paint);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setTransform(placed);
+    painter.drawImage(QPointF(0.0, 0.0), shown_);
+    painter.resetTransform();
+    painter.setCompositionMode(QPainter::CompositionMode_DestinationIn);
+    painter.drawImage(QPointF(0.0, 0.0), open_);
+    return paint;
 }
 
 void Frame::draw_in(const view::Overlay& overlay, const tools::TransformFrame& frame,
@@ -174,12 +213,8 @@ void Frame::draw_in(const view::Overlay& overlay, const tools::TransformFrame& f
     const auto widget_point = [&](const glm::ivec2& side) {
         return canvas_.widget_position(tools::handle_mm(frame, side));
     };
-    const double width = picture.width(), height = picture.height();
-    const QPolygonF from({{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}});
-    const QPolygonF to(
-        {widget_point({-1, -1}), widget_point({1, -1}), widget_point({1, 1}), widget_point({-1, 1})});
     QTransform placed;
-    if (!QTransform::quadToQuad(from, to, placed)) return;
+    if (!placed_picture(picture.size(), widget_point, placed)) return;
     overlay.painter.draw([&](QPainter& painter) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.setOpacity(opacity);

@@ -21,8 +21,9 @@ class Frame : public QObject, public view::Interaction {
     const std::optional<tools::TransformFrame>& shown() const { return frame_; }
 
     /// What is drawn in the frame, from corner to corner, however it is dragged: its paint, flat. Where
-    /// it lies as yet `below` covers it, as large: what would be seen there without it.
-    void show_picture(const QImage& picture, const QImage& below);
+    /// it lies as yet `below` covers it, as large: what would be seen there without it. Paint is seen
+    /// only where `open`, of the whole canvas, is opaque; null: everywhere.
+    void show_picture(const QImage& picture, const QImage& below, const QImage& open);
 
     view::Took press(const input::PointerEvent& event) override;
     void drag(const input::PointerEvent& event) override;
@@ -53,6 +54,8 @@ class Frame : public QObject, public view::Interaction {
     tools::FrameHold hold_at(const input::PointerEvent& event) const;
     void take_screen_colours();
     void draw_picture(const view::Overlay& overlay) const;
+    tools::TransformFrame whole_canvas() const;
+    QImage paint_on_open() const;
     void draw_in(const view::Overlay& overlay, const tools::TransformFrame& frame, const QImage& picture,
                  double opacity) const;
 
@@ -60,7 +63,7 @@ class Frame : public QObject, public view::Interaction {
     std::optional<tools::TransformFrame> frame_;
     std::optional<Drag> drag_;
     tools::FrameHold under_;  ///< the pointer
-    QImage picture_, below_;
+    QImage picture_, below_, open_;
     QImage shown_, veil_;  ///< in the colours of the screen
 };
 

@@ -369,6 +369,25 @@ TEST_F(TransformWindow, TheFrameLeavesOutWhatIsMasked) {
     EXPECT_LT(handle(-1, 0).x, 12.0);
 }
 
+TEST_F(TransformWindow, TheFrameShowsNoPaintOnWhatIsMasked) {
+    const glm::dvec2 shift{20.0, 15.0}, masked{33.0, 26.0}, open{37.0, 27.5};
+    studio().easel().select(document::SelectArea{{{25, 0}, {35, 0}, {35, 40}, {25, 40}}});
+    settle();
+    give(Command::MaskSelection);
+    studio().easel().select(document::SelectAll{});
+    settle();
+    const double masked_before = mean_rgb(masked).r, open_before = mean_rgb(open).r;
+    begin();
+    drag(middle(), middle() + shift);
+    EXPECT_NEAR(mean_rgb(masked).r, masked_before, 3.0) << "it would come off with the mask";
+    EXPECT_LT(mean_rgb(open).r, open_before - 40.0);
+    key(Qt::Key_Return);
+    give(Command::PeelMasking);
+    const auto after = painting();
+    EXPECT_EQ(after->film.thickness.at(132, 104), 0);
+    EXPECT_GT(after->film.thickness.at(148, 110), 0);
+}
+
 TEST_F(TransformWindow, NothingIsPaintedWhileTheFrameIsUp) {
     begin();
     const std::size_t events = events_posted();

@@ -119,6 +119,23 @@ QImage part_in(const tools::TransformFrame& frame, const document::Snapshot& pai
     return moved_part(picture, QRect(first, size.expandedTo({1, 1})), painting);
 }
 
+/// Of the whole canvas: where paint stays that comes there. Null: everywhere.
+QImage open_canvas(const document::Snapshot& painting, const QSize& size) {
+    const document::Selection& masked = painting.masking.cells;
+    if (masked == nullptr) return {};
+    const grid::Shape& shape = painting.film.shape;
+    const double cells_x = static_cast<double>(shape.width) / size.width();
+    const double cells_y = static_cast<double>(shape.height) / size.height();
+    QImage open(size, QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < open.height(); ++y)
+        for (int x = 0; x < open.width(); ++x) {
+            const bool is_masked = masked->at(static_cast<int>((x + 0.5) * cells_x),
+                                              static_cast<int>((y + 0.5) * cells_y)) != 0;
+            open.setPixel(x, y, is_masked ? qRgba(0, 0, 0, 0) : qRgba(0, 0, 0, 255));
+        }
+    return open;
+}
+
 }  // namespace
 
 LayerTransform::LayerTransform(Studio& studio, panels::BrushPanel* brushes) : studio_(studio) {
@@ -159,9 +176,11 @@ void LayerTransform::begin() {
 void LayerTransform::show(const grid::Rect& cells, const document::Snapshot& painting) {
     const tools::TransformFrame frame = tools::frame_around(cells, painting.film.cell_mm);
     studio_.on_canvas().frame.show(frame);
+    const QImage paint = picture_of(active_film(painting), painting.ground);
     studio_.on_canvas().frame.show_picture(
-        part_in(frame, painting, picture_of(active_film(painting), painting.ground)),
-        part_in(frame, painting, picture_without_active(painting, cells)));
+        part_in(frame, painting, paint),
+        part_in(frame, painting, picture_without_active(painting, cells)),
+        open_canvas(painting, paint.size()));
     const document::CanvasSettings& canvas = painting.bare->settings;
     open_dialog(frame, {canvas.width_mm, canvas.height_mm});
     studio_.canvas().setFocus();
