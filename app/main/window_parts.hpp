@@ -100,7 +100,6 @@ struct WindowParts {
     LightChoice light;
     PictureLayers pictures;
     Clipboard clipboard;
-    DroppedFiles dropped;
     Exporting exporting;
     Recorder recorder;
     PaintingAgain again;
@@ -110,6 +109,7 @@ struct WindowParts {
     WindowSettings memory;
     WorkspaceCommands workspaces;
     NewWindow new_window;
+    DroppedFiles dropped;
     KeyCommands keys;
     ColourCommands colours;
     PreferenceCommands preferences;

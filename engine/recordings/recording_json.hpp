@@ -9,7 +9,7 @@
 
 namespace pastoso::recordings {
 
-inline constexpr int kStrokeFormatVersion = 15;
+inline constexpr int kStrokeFormatVersion = 16;
 
 /// The recording as text, one event a line, in the oldest version from 3 on that can say it. Reading it
 /// gives an equal recording.

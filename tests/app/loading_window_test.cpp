@@ -257,7 +257,7 @@ TEST_F(LoadingWindow, TheLastWishCounts) {
 
 TEST_F(LoadingWindow, APictureForALayerWaitsForNothingAndOvertakesNothing) {
     begin_to_open("a.pastoso");
-    parts().pictures.paint_picture(path("none.png"));
+    parts().pictures.paint_pictures({path("none.png")});
     EXPECT_THAT(told(), HasSubstr("a.pastoso"));
     go_on();
     EXPECT_EQ(state(), saved_);

@@ -47,7 +47,7 @@ class PicturePaintWindow : public WindowTest {
 
 TEST_F(PicturePaintWindow, APictureIsALayerInTheMiddle) {
     const std::string before = layer_names().front();
-    parts().pictures.paint_picture(QString::fromStdString(written("red.png", red_png())));
+    parts().pictures.paint_pictures({QString::fromStdString(written("red.png", red_png()))});
     loaded();
     settle();
     EXPECT_THAT(layer_names(), testing::ElementsAre(before, "red"));
@@ -91,7 +91,7 @@ TEST_F(PicturePaintWindow, WhatIsNoPictureLeavesThePaintingOnTheEasel) {
     const QString none = QString::fromStdString(written("none.png", "none"));
     parts().files.open_painting(none);
     loaded();
-    parts().pictures.paint_picture(none);
+    parts().pictures.paint_pictures({none});
     loaded();
     EXPECT_EQ(document::state_hash(session().capture().painting), before);
 }

@@ -14,6 +14,8 @@
 #include "start/recent_section.hpp"
 #include "start/start_page.hpp"
 
+#include <vector>
+
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
@@ -125,9 +127,13 @@ class StartWindow : public WindowTest {
     }
     void paint() { mouse_stroke(line_mm({12.0, 12.0}, {48.0, 30.0})); }
     std::uint64_t state() { return document::state_hash(session().capture().painting); }
-    void drop(const std::filesystem::path& file) {
+    void drop(const std::filesystem::path& file) { drop_all({file}); }
+    void drop_all(const std::vector<std::filesystem::path>& files) {
         QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+        QList<QUrl> addresses;
+        for (const std::filesystem::path& file : files)
+            addresses.push_back(QUrl::fromLocalFile(QString::fromStdString(file.string())));
+        data.setUrls(addresses);
         QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(&window(), &enter);
         EXPECT_TRUE(enter.isAccepted());
@@ -135,6 +141,33 @@ class StartWindow : public WindowTest {
         QApplication::sendEvent(&window(), &event);
         QApplication::processEvents();
         loaded();
+    }
+
+    std::filesystem::path picture_file(const char* name, const QColor& colour) {
+        QImage plain(30, 20, QImage::Format_RGB888);
+        plain.fill(colour);
+        const std::filesystem::path file = folder_.path() / name;
+        EXPECT_TRUE(plain.save(QString::fromStdString(file.string())));
+        return file;
+    }
+    QMenu* question() { return window().findChild<QMenu*>("dropped_picture"); }
+    void answer(int number) {
+        ASSERT_NE(question(), nullptr);
+        QAction* chosen = question()->actions().at(number);
+        question()->close();
+        chosen->trigger();
+        loaded();
+        session().wait_until_applied();
+    }
+    /// Other windows that are asked for leave their arguments in a file, in place of opening.
+    std::filesystem::path told_to_others() {
+        const std::filesystem::path told = folder_.path() / "others";
+        const std::filesystem::path program = folder_.path() / "program";
+        core::write_text_file(program, "#!/bin/sh\necho \"$@\" > '" + told.string() + ".new'\nmv '" +
+                                           told.string() + ".new' '" + told.string() + "'\n");
+        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+        parts().new_window.start_with(QString::fromStdString(program.string()));
+        return told;
     }
 
     TemporaryFolder data_, folder_;
@@ -490,25 +523,15 @@ TEST_F(StartWindow, APaintingDraggedOntoTheWindowOpens) {
 }
 
 TEST_F(StartWindow, OfADraggedPictureThePainterSaysWhatBecomesOfIt) {
-    QImage red(30, 20, QImage::Format_RGB888);
-    red.fill(QColor(200, 30, 20));
-    const std::filesystem::path file = folder_.path() / "red.png";
-    ASSERT_TRUE(red.save(QString::fromStdString(file.string())));
-    const auto choose_in_menu = [&](int number) {
-        drop(file);
-        auto* menu = window().findChild<QMenu*>("dropped_picture");
-        ASSERT_NE(menu, nullptr);
-        QAction* action = menu->actions().at(number);
-        menu->close();
-        action->trigger();
-        loaded();
-        session().wait_until_applied();
-    };
-    choose_in_menu(0);
+    const std::filesystem::path file = picture_file("red.png", QColor(200, 30, 20));
+    drop(file);
+    answer(0);
     EXPECT_EQ(session().snapshot()->layers->layers.size(), 2U);
-    choose_in_menu(1);
+    drop(file);
+    answer(1);
     EXPECT_NE(session().snapshot()->tracing, nullptr);
-    choose_in_menu(2);
+    drop(file);
+    answer(2);
     EXPECT_NE(session().snapshot()->references, nullptr);
     EXPECT_EQ(size_on_easel(), "60 x 40, linen");
 
@@ -516,6 +539,60 @@ TEST_F(StartWindow, OfADraggedPictureThePainterSaysWhatBecomesOfIt) {
     core::write_text_file(text, "Dear painter");
     drop(text);
     EXPECT_EQ(told(), "letter.txt is no painting and no picture that can be opened.");
+}
+
+TEST_F(StartWindow, OfPicturesDraggedTogetherThePainterSaysItOnce) {
+    const std::filesystem::path broken = folder_.path() / "broken.png";
+    core::write_text_file(broken, "no picture");
+    const std::vector<std::filesystem::path> files = {picture_file("red.png", QColor(200, 30, 20)),
+                                                      broken,
+                                                      picture_file("blue.png", QColor(20, 30, 200))};
+    drop_all(files);
+    answer(0);
+    const auto layers = session().snapshot()->layers;
+    ASSERT_EQ(layers->layers.size(), 3U);
+    EXPECT_EQ(layers->layers[1].look.name, "red");
+    EXPECT_EQ(layers->layers[2].look.name, "blue");
+    EXPECT_THAT(told(), HasSubstr("broken.png"));
+    action(Command::Undo)->trigger();
+    session().wait_until_applied();
+    EXPECT_EQ(session().snapshot()->layers->layers.size(), 1U) << "one step for all";
+
+    drop_all(files);
+    answer(1);
+    ASSERT_NE(session().snapshot()->references, nullptr);
+    EXPECT_EQ(session().snapshot()->references->references.size(), 2U);
+    drop_all(files);
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->actions().size(), 4) << "only one is traced, or becomes a canvas";
+    question()->close();
+}
+
+TEST_F(StartWindow, OfPaintingsDraggedTogetherEachHasAWindow) {
+    paint();
+    settle();
+    const auto first = saved("harbour.pastoso"), second = saved("quay.pastoso");
+    const std::uint64_t painted = state();
+    start_again_paused();
+    const std::filesystem::path told = told_to_others();
+    drop_all({first, second});
+    EXPECT_EQ(state(), painted);
+    wait_for([&] { return std::filesystem::exists(told); });
+    EXPECT_EQ(core::read_text_file(told), second.string() + "\n");
+}
+
+TEST_F(StartWindow, PicturesAreForTheCanvasThatTheyAreDroppedOn) {
+    paint();
+    settle();
+    const auto painting = saved("harbour.pastoso");
+    start_again_paused();
+    const std::filesystem::path told = told_to_others();
+    drop_all({painting, picture_file("red.png", QColor(200, 30, 20))});
+    wait_for([&] { return std::filesystem::exists(told); });
+    EXPECT_EQ(core::read_text_file(told), painting.string() + "\n");
+    EXPECT_EQ(volume_mm3(), 0.0) << "the bare canvas stays";
+    answer(0);
+    EXPECT_EQ(session().snapshot()->layers->layers.size(), 2U);
 }
 
 }  // namespace

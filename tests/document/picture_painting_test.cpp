@@ -69,6 +69,26 @@ TEST_F(PicturePaintingTest, IsUndoneAndDoneAgain) {
     expect_balance();
 }
 
+TEST_F(PicturePaintingTest, PicturesThatComeTogetherAreOneStep) {
+    const std::uint64_t before = painting.state_hash();
+    PaintPicture second{"Second", {2, 8, 12, 6}, plain(8, 4), true};
+    for (const PaintPicture& one : {picture, second})
+        painting.apply(one);
+    const std::uint64_t after = painting.state_hash();
+    ASSERT_EQ(stack().layers.size(), 3U);
+    EXPECT_EQ(stack().layers[2].look.name, "Second");
+    EXPECT_EQ(painting.undo_steps().size(), 1U);
+    painting.apply(Undo{});
+    EXPECT_EQ(painting.state_hash(), before);
+    expect_balance();
+    painting.apply(Redo{});
+    EXPECT_EQ(painting.state_hash(), after);
+    expect_balance();
+    painting.apply(AddLayer{"Empty"});
+    painting.apply(second);
+    EXPECT_EQ(painting.undo_steps().size(), 3U) << "there was nothing of its kind to join";
+}
+
 TEST_F(PicturePaintingTest, CanBePaintedOnMovedAndMerged) {
     painting.apply(picture);
     painting.apply(TakeBrush{"flat", 8, 1});

@@ -57,6 +57,16 @@ TEST(PictureRecording, IsCompleteByItself) {
     EXPECT_EQ(recording_from_json(text, "file"), early);
 }
 
+TEST(PictureRecording, KeepsWhichPicturesCameTogether) {
+    document::Recording joined = recording();
+    joined.events.insert(joined.events.begin() + 1, joined.events.front());
+    std::get<document::PaintPicture>(joined.events[1].action).joins = true;
+    const std::string text = recording_to_json(joined);
+    EXPECT_THAT(text, HasSubstr("\"version\": 16"));
+    EXPECT_EQ(recording_from_json(text, "file"), joined);
+    EXPECT_THAT(recording_to_json(recording()), testing::Not(HasSubstr("\"joins\"")));
+}
+
 TEST(PictureRecording, KeepsWhatWasTraced) {
     document::Recording traced = recording();
     traced.arithmetic = 1;

@@ -252,8 +252,8 @@ TEST(RecordingJson, NumbersOfAMediumAreLocated) {
 
 TEST(RecordingJson, RefusesNewerVersionsInOneSentence) {
     EXPECT_EQ(
-        error(R"({"format":"pastoso-strokes","version":16,"more":[]})"),
-        "s.json: this was written by a newer Pastoso (stroke format 16; this program reads up to 15).");
+        error(R"({"format":"pastoso-strokes","version":17,"more":[]})"),
+        "s.json: this was written by a newer Pastoso (stroke format 17; this program reads up to 16).");
 }
 
 TEST(RecordingJson, NamesWhatIsMissingOrMisspelt) {

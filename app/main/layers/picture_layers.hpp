@@ -14,9 +14,9 @@ class PictureLayers : public QObject {
   public:
     PictureLayers(Studio& studio, Loading& loading);
 
-    /// Reads a picture beside the window and puts it onto the canvas as a layer of dry paint, in the
-    /// middle and as large as it fits.
-    void paint_picture(const QString& path);
+    /// Reads pictures beside the window and puts each onto the canvas as a layer of dry paint, in the
+    /// middle and as large as it fits, above the one before. All are one undo step.
+    void paint_pictures(const QStringList& paths);
 
     /// The same of one that is in memory, as a layer of that name.
     void paint_picture(pigment::Picture picture, const QString& name);

@@ -16,9 +16,10 @@ class NewWindow : public QObject {
     /// What is started; at first this program.
     void start_with(const QString& program) { program_ = program; }
 
-  private:
-    void open();
+    /// With a painting to open, or a recording to replay; empty: with neither.
+    void open(const QString& file);
 
+  private:
     Studio& studio_;
     QString program_;
 };

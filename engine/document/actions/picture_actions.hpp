@@ -28,9 +28,10 @@ struct PaintPicture {
     layers::PicturePlace place;  ///< sides of 0.1 to 20000 mm; may reach beyond the canvas
     /// Not null; 1 to pigment::kMostPictureSide_px a side, pigment::kMostPicturePixels in all.
     SharedPicture picture;
+    bool joins = false;  ///< the undo step before it, where a picture was put on a layer there, too
 
     friend bool operator==(const PaintPicture& a, const PaintPicture& b) {
-        return a.name == b.name && a.place == b.place &&
+        return a.name == b.name && a.place == b.place && a.joins == b.joins &&
                (a.picture == b.picture || *a.picture == *b.picture);
     }
 };
@@ -88,6 +89,9 @@ struct Table<PaintPicture> {
         "paint_picture", 6, step_name("Picture as paint"),
         "adds a layer above the active one, which becomes active, and puts a picture on it as thin, "
         "dry paint ([0031](decisions/0031-pictures.md))");
+    static constexpr UndoRole undo_role(const PaintPicture& paint) {
+        return paint.joins ? UndoRole::MaybeStep : UndoRole::Step;
+    }
     static constexpr void fields(auto&& visit) {
         visit(Part<At<&PaintPicture::place>>{});
         visit(Text<At<&PaintPicture::name>>{"name", core::Pattern<0>("name of a layer"), kMostLayerName,
@@ -96,6 +100,12 @@ struct Table<PaintPicture> {
             "png", "picture", Presence::Required,
             "a PNG file in base64: sRGB, with or without transparency, at most 32 768 pixels a side, "
             "100 million in all, 500 million in a recording"});
+        visit(Truth<At<&PaintPicture::joins>>{
+            .key = "joins",
+            .name = "joins",
+            .presence = Presence::Optional,
+            .note = "part of the undo step before it, where that put a picture on a layer, too",
+            .since = 16});
     }
 };
 
