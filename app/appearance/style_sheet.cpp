@@ -14,6 +14,8 @@ QLabel#reading { color: <quiet_text>; }
 QLabel#canvas_note { background: <window>; color: <text>; border: 1px solid <line>; border-radius: 4px; padding: 5px 9px; }
 QFrame#message_bar { background: <window>; border: 1px solid <warning>; border-left: 5px solid <warning>; border-radius: 4px; }
 QToolBar { background: <window>; border: none; border-bottom: 1px solid <edge>; spacing: 4px; padding: 4px; }
+QToolBar:left { border-bottom: none; border-right: 1px solid <edge>; }
+QToolBar:right { border-bottom: none; border-left: 1px solid <edge>; }
 QMenuBar { background: <window>; border-bottom: 1px solid <edge>; }
 QMenuBar::item { padding: 5px 7px; background: transparent; }
 QMenuBar::item:selected { background: <button>; border-radius: 4px; }
@@ -47,6 +49,8 @@ QFrame#command_palette { background: <window>; border: 1px solid <line>; }
 QComboBox { padding: 4px 8px; }
 QComboBox[fast="true"] { background: <chosen>; border-color: <accent>; color: <chosen_text>; }
 QComboBox::drop-down { border: none; width: 20px; }
+QComboBox[upright="true"] { padding: 4px 3px; }
+QComboBox[upright="true"]::drop-down { width: 12px; }
 QComboBox::down-arrow { image: url("<icons>/box_down.svg"); width: 10px; height: 10px; }
 QComboBox QAbstractItemView { background: <field>; color: <text>; selection-background-color: <chosen>; selection-color: <chosen_text>; }
 QAbstractSpinBox { padding: 3px 4px; }
@@ -76,10 +80,13 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0px; }
 QSlider::groove:horizontal { height: 4px; background: <edge>; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: <accent>; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; margin: -5px 0px; border-radius: 7px; background: <text>; }
+QSlider::groove:vertical { width: 4px; background: <edge>; border-radius: 2px; }
+QSlider::add-page:vertical { background: <accent>; border-radius: 2px; }
+QSlider::handle:vertical { height: 14px; margin: 0px -5px; border-radius: 7px; background: <text>; }
 QPushButton:focus, QToolButton:focus, QComboBox:focus, QAbstractSpinBox:focus, QLineEdit:focus, QPlainTextEdit:focus, QListView:focus, QTreeView:focus { border: 1px solid <focus>; }
-QSlider::handle:horizontal:focus { background: <focus>; border: 2px solid <text>; }
-QSlider::sub-page:horizontal:disabled { background: <line>; }
-QSlider::handle:horizontal:disabled { background: <very_faint>; }
+QSlider::handle:focus { background: <focus>; border: 2px solid <text>; }
+QSlider::sub-page:horizontal:disabled, QSlider::add-page:vertical:disabled { background: <line>; }
+QSlider::handle:disabled { background: <very_faint>; }
 )";
 
 struct NamedColour {

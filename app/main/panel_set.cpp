@@ -78,8 +78,6 @@ panels::ToolBar* make_tool_bar(Studio& studio, const PanelSet& panels) {
     auto* bar = new panels::ToolBar(QObject::tr("Tools"));
     studio.window().addToolBar(bar);
     bar->setObjectName(QStringLiteral("tool_bar"));
-    // Its boxes lie on their sides.
-    bar->setAllowedAreas(Qt::TopToolBarArea | Qt::BottomToolBarArea);
     bar->setIconSize(QSize(kToolIconSide, kToolIconSide));
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     const auto add_button = [&](Command command, const QString& words) {
@@ -97,12 +95,16 @@ panels::ToolBar* make_tool_bar(Studio& studio, const PanelSet& panels) {
     bar->addSeparator();
     QAction* medium = bar->add_word(QObject::tr("Medium "));
     appearance::explain(bar->widgetForAction(medium), appearance::Term::Medium);
-    bar->addWidget(panels.medium);
+    bar->add_box(panels.medium);
     bar->addWidget(panels.thinning);
+    QObject::connect(bar, &QToolBar::orientationChanged, panels.thinning,
+                     [thinning = panels.thinning](Qt::Orientation orientation) {
+                         thinning->set_upright(orientation == Qt::Vertical);
+                     });
     add_button(Command::ThinWash, QObject::tr("Wash"));
     bar->addSeparator();
     add_button(Command::Pause, QObject::tr("Pause"));
-    bar->addWidget(panels.time);
+    bar->add_box(panels.time);
     QToolButton* dry = add_button(Command::DryNow, QObject::tr("Dry now"));
     QToolButton* well = add_button(Command::MixingWell, QObject::tr("Mixing well"));
     bar->addSeparator();

@@ -147,6 +147,38 @@ TEST_F(RoomWindow, EveryButtonOfTheToolBarIsThereAndSaysMoreWhereThereIsRoom) {
     }
 }
 
+TEST_F(RoomWindow, UprightTheToolBarIsNarrowAndLosesNoButton) {
+    constexpr int kNarrow = 100;
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        open_small(language);
+        auto* bar = window().findChild<QToolBar*>(QStringLiteral("tool_bar"));
+        const int lying = bar->height();
+        for (const Qt::ToolBarArea area : {Qt::LeftToolBarArea, Qt::RightToolBarArea}) {
+            window().addToolBar(area, bar);
+            wait_for([&] { return bar->height() > bar->width(); });
+            QApplication::processEvents();
+            EXPECT_EQ(window().size(), kSmallScreen);
+            EXPECT_LE(bar->width(), kNarrow);
+            EXPECT_GT(bar->width(), 0);
+            EXPECT_TRUE(window().rect().contains(bar->geometry()));
+            bool all_seen = true;
+            for (const auto* button : bar->findChildren<QToolButton*>()) {
+                if (button->defaultAction() == nullptr) continue;
+                EXPECT_EQ(button->toolButtonStyle(), Qt::ToolButtonIconOnly);
+                all_seen = all_seen && button->isVisible();
+            }
+            const auto* rest = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+            ASSERT_NE(rest, nullptr);
+            EXPECT_TRUE(all_seen || rest->isVisible());
+        }
+        window().addToolBar(Qt::TopToolBarArea, bar);
+        wait_for([&] { return bar->width() > bar->height(); });
+        QApplication::processEvents();
+        EXPECT_EQ(bar->height(), lying) << "all lies again as it did";
+    }
+}
+
 TEST_F(RoomWindow, TheStartPageShowsAllItsCanvases) {
     for (const char* language : kLanguages) {
         SCOPED_TRACE(language);

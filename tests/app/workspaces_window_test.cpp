@@ -10,6 +10,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSlider>
 #include <QToolBar>
 #include <gmock/gmock.h>
 
@@ -236,6 +237,29 @@ TEST_F(WorkspacesWindow, TheToolBarGoesComesAndMoves) {
     give(Command::ResetPanels);
     EXPECT_TRUE(bar->isVisible());
     EXPECT_EQ(window().toolBarArea(bar), Qt::TopToolBarArea);
+}
+
+TEST_F(WorkspacesWindow, TheToolBarStandsUprightAtASideAndChangesItWithTheHand) {
+    const auto bar = [this] { return window().findChild<QToolBar*>(QStringLiteral("tool_bar")); };
+    const auto slider = [&] { return bar()->findChild<QSlider*>(QStringLiteral("paint_share")); };
+    EXPECT_EQ(slider()->orientation(), Qt::Horizontal);
+    window().addToolBar(Qt::LeftToolBarArea, bar());
+    EXPECT_EQ(slider()->orientation(), Qt::Vertical);
+    start_again();
+    EXPECT_EQ(window().toolBarArea(bar()), Qt::LeftToolBarArea);
+    EXPECT_EQ(bar()->orientation(), Qt::Vertical);
+    EXPECT_EQ(slider()->orientation(), Qt::Vertical);
+    give(Command::WorkspaceSketch);
+    EXPECT_EQ(window().toolBarArea(bar()), Qt::LeftToolBarArea) << "no part of a workspace";
+    give(Command::LeftHanded);
+    EXPECT_EQ(window().toolBarArea(bar()), Qt::RightToolBarArea);
+    start_again();
+    EXPECT_EQ(window().toolBarArea(bar()), Qt::RightToolBarArea) << "not turned once more";
+    give(Command::LeftHanded);
+    EXPECT_EQ(window().toolBarArea(bar()), Qt::LeftToolBarArea);
+    give(Command::ResetPanels);
+    EXPECT_EQ(window().toolBarArea(bar()), Qt::TopToolBarArea);
+    EXPECT_EQ(slider()->orientation(), Qt::Horizontal);
 }
 
 TEST_F(WorkspacesWindow, EveryOneFitsEveryScreenInEveryLanguage) {

@@ -33,6 +33,14 @@ QMenu* menu_of(const QMenuBar* bar, QAction* command) {
     return nullptr;
 }
 
+/// A bar on the left comes to stand on the right, and the other way round.
+void mirror(QMainWindow& window, QToolBar* bar) {
+    if (bar->isFloating()) return;
+    const Qt::ToolBarArea area = window.toolBarArea(bar);
+    if (area == Qt::LeftToolBarArea) window.addToolBar(Qt::RightToolBarArea, bar);
+    if (area == Qt::RightToolBarArea) window.addToolBar(Qt::LeftToolBarArea, bar);
+}
+
 }  // namespace
 
 WorkspaceCommands::WorkspaceCommands(Studio& studio, const PanelSet& panels)
@@ -97,6 +105,7 @@ void WorkspaceCommands::set_left_handed(bool left_handed) {
     Q_EMIT arranging();
     const PanelArrangement stand = read_docks(studio_.window());
     const bool was_left_handed = std::exchange(workspaces_.left_handed, left_handed);
+    mirror(studio_.window(), panels_.bar);
     put_up(was_left_handed ? tools::mirrored(stand) : stand);
     remember();
 }

@@ -10,6 +10,8 @@
 #include <QAbstractItemView>
 #include <QPainter>
 #include <QStandardItemModel>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
 #include <QStyledItemDelegate>
 
 namespace pastoso::panels {
@@ -124,6 +126,17 @@ void MediumBox::set_swatch(const QString& name, const QImage& image) {
 void MediumBox::showPopup() {
     Q_EMIT swatches_wanted();
     QComboBox::showPopup();
+}
+
+void MediumBox::paintEvent(QPaintEvent*) {
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    const QRect field =
+        style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+    option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, field.width() - 2);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 }  // namespace pastoso::panels

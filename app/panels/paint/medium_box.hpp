@@ -31,6 +31,10 @@ class MediumBox : public QComboBox {
 
     void showPopup() override;
 
+  protected:
+    /// Its name as far as there is room for it.
+    void paintEvent(QPaintEvent* event) override;
+
   Q_SIGNALS:
     void medium_chosen(const QString& name);
     void swatches_wanted();  ///< the list is opened

@@ -4,6 +4,7 @@
 #include "panels/paint/paint_words.hpp"
 #include "panels/parts/section.hpp"
 #include "panels/parts/slider_scale.hpp"
+#include "panels/parts/upright.hpp"
 #include "tools/paint_share.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace pastoso::panels {
 namespace {
 
 constexpr int kRest_ms = 250;
+constexpr int kLength_px = 72;
 
 constexpr SliderScale kShares{film::kLeastPaintShare, 1.0, true};
 
@@ -46,10 +48,6 @@ ThinningSlider::ThinningSlider(Qt::Orientation direction, QWidget* parent)
     auto* layout = new QBoxLayout(above ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(above ? 0 : 4);
-    const QString hint =
-        tr("Paint : medium, from paste to stain. To the right the paint is thinned: it "
-           "runs sooner, and lets through what lies below");
-    setToolTip(hint);
     slider_->setObjectName(QStringLiteral("paint_share"));
     slider_->setAccessibleName(tr("Paint : medium"));
     slider_->setRange(0, SliderScale::kSteps);
@@ -59,10 +57,10 @@ ThinningSlider::ThinningSlider(Qt::Orientation direction, QWidget* parent)
     words_->setObjectName(QStringLiteral("reading"));
     words_->setAlignment(above ? Qt::AlignCenter : Qt::AlignVCenter | Qt::AlignLeft);
     words_->setMinimumWidth(widest_words(words_->fontMetrics()));
-    constexpr int kWidth_px = 72;
-    slider_->setFixedWidth(kWidth_px);
+    slider_->setFixedWidth(kLength_px);
     layout->addWidget(above ? static_cast<QWidget*>(words_) : slider_, 0, Qt::AlignHCenter);
     layout->addWidget(above ? static_cast<QWidget*>(slider_) : words_, 0, Qt::AlignHCenter);
+    show_hint();
     resting_.setSingleShot(true);
     resting_.setInterval(kRest_ms);
     connect(&resting_, &QTimer::timeout, this, [this] { Q_EMIT share_chosen(share_); });
@@ -70,6 +68,29 @@ ThinningSlider::ThinningSlider(Qt::Orientation direction, QWidget* parent)
         show_share(share_at(step));
         resting_.start();
     });
+}
+
+void ThinningSlider::show_hint() {
+    setToolTip(slider_->orientation() == Qt::Vertical
+                   ? tr("Paint : medium, from paste to stain. Upwards the paint is thinned: it "
+                        "runs sooner, and lets through what lies below")
+                   : tr("Paint : medium, from paste to stain. To the right the paint is thinned: it "
+                        "runs sooner, and lets through what lies below"));
+}
+
+void ThinningSlider::set_upright(bool upright) {
+    static_cast<QBoxLayout*>(layout())->setDirection(upright ? QBoxLayout::TopToBottom
+                                                             : QBoxLayout::LeftToRight);
+    slider_->setOrientation(upright ? Qt::Vertical : Qt::Horizontal);
+    slider_->setMinimumSize(upright ? QSize(0, kLength_px) : QSize(kLength_px, 0));
+    slider_->setMaximumSize(upright ? QSize(QWIDGETSIZE_MAX, kLength_px)
+                                    : QSize(kLength_px, QWIDGETSIZE_MAX));
+    words_->setWordWrap(upright);
+    words_->setAlignment(upright ? Qt::AlignHCenter | Qt::AlignTop : Qt::AlignVCenter | Qt::AlignLeft);
+    words_->setMinimumSize(upright ? QSize(kUprightWidth_px, 2 * words_->fontMetrics().lineSpacing())
+                                   : QSize(widest_words(words_->fontMetrics()), 0));
+    words_->setMaximumWidth(upright ? kUprightWidth_px : QWIDGETSIZE_MAX);
+    show_hint();
 }
 
 void ThinningSlider::finish() {

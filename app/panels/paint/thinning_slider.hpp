@@ -17,6 +17,10 @@ class ThinningSlider : public QWidget {
     /// The words stand beside the slider, or above it where it lies `Qt::Vertical`.
     explicit ThinningSlider(Qt::Orientation direction, QWidget* parent = nullptr);
 
+    /// In a bar that stands upright: the slider, too, with the medium above, and its words below it, in
+    /// two lines. Back again for one that lies.
+    void set_upright(bool upright);
+
     /// Shows how the medium in hand is thinned, without a signal; disabled where nothing thins it. A
     /// slider that moves is let go only for another medium.
     void show_hand(const tools::Hand& hand);
@@ -31,6 +35,7 @@ class ThinningSlider : public QWidget {
 
   private:
     void show_share(double share);
+    void show_hint();
 
     document::UseMedium in_hand_;
     film::Medium unthinned_;

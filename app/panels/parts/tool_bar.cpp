@@ -1,17 +1,22 @@
 #include "panels/parts/tool_bar.hpp"
 
 #include "panels/parts/section.hpp"
+#include "panels/parts/upright.hpp"
 
 #include <utility>
 
+#include <QComboBox>
 #include <QEvent>
 #include <QLabel>
 #include <QLayout>
+#include <QStyle>
 #include <QToolButton>
 
 namespace pastoso::panels {
 
-ToolBar::ToolBar(const QString& title, QWidget* parent) : QToolBar(title, parent) {}
+ToolBar::ToolBar(const QString& title, QWidget* parent) : QToolBar(title, parent) {
+    connect(this, &QToolBar::orientationChanged, this, &ToolBar::turn);
+}
 
 QToolButton* ToolBar::add_button(QAction* action) {
     auto* button = new QToolButton;
@@ -20,6 +25,11 @@ QToolButton* ToolBar::add_button(QAction* action) {
     keep_keys_for_canvas(button);
     addWidget(button);
     return button;
+}
+
+void ToolBar::add_box(QComboBox* box) {
+    addWidget(box);
+    boxes_.push_back(box);
 }
 
 QAction* ToolBar::add_word(const QString& word) {
@@ -40,12 +50,24 @@ void ToolBar::show(const Words& words, bool shown) {
         button->setToolButtonStyle(shown ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
 }
 
+void ToolBar::turn(Qt::Orientation orientation) {
+    const bool upright = orientation == Qt::Vertical;
+    for (QComboBox* box : boxes_) {
+        box->setMaximumWidth(upright ? kUprightWidth_px : QWIDGETSIZE_MAX);
+        box->setProperty("upright", upright);
+        box->style()->polish(box);
+        box->updateGeometry();
+    }
+    fit_words();
+}
+
 void ToolBar::fit_words() {
     if (fitting_) return;
     fitting_ = true;
     for (const Words& words : words_)
         show(words, false);
     for (const Words& words : words_) {
+        if (orientation() == Qt::Vertical) break;
         show(words, true);
         layout()->invalidate();
         if (layout()->sizeHint().width() > width()) show(words, false);

@@ -1,16 +1,18 @@
-// The bar of buttons above the canvas, whose words give way to the buttons where the window is narrow.
+// The bar of buttons around the canvas, whose words give way to the buttons where the window is narrow.
 #pragma once
 
 #include <vector>
 
 #include <QToolBar>
 
+class QComboBox;
 class QToolButton;
 
 namespace pastoso::panels {
 
 /// What is said in words beside buttons and boxes is said as far as there is room for it; what was asked
-/// for first is said first. Without room for any word, every button is still there.
+/// for first is said first. Without room for any word, every button is still there. Upright it says
+/// none, and is as wide as a short word.
 class ToolBar : public QToolBar {
     Q_OBJECT
   public:
@@ -18,6 +20,9 @@ class ToolBar : public QToolBar {
 
     /// With its icon alone.
     QToolButton* add_button(QAction* action);
+
+    /// Upright no wider than the bar: what it shows is cut then, and its list is as wide as ever.
+    void add_box(QComboBox* box);
 
     /// A word before what is added next.
     QAction* add_word(const QString& word);
@@ -37,7 +42,9 @@ class ToolBar : public QToolBar {
     };
     static void show(const Words& words, bool shown);
     void fit_words();
+    void turn(Qt::Orientation orientation);
 
+    std::vector<QComboBox*> boxes_;
     std::vector<Words> words_;
     QSize fitted_;  ///< what the bar needed after its words were fitted
     bool fitting_ = false;
