@@ -83,19 +83,22 @@ QImage picture_without_active(const document::Snapshot& painting, const grid::Re
     return picture;
 }
 
+/// What a choice of cells has in the middle of a pixel of a picture of the whole canvas.
+std::uint8_t share_at(const grid::Mask& cells, const QSize& picture, int x, int y) {
+    const grid::Shape& shape = cells.shape();
+    return cells.at(static_cast<int>((x + 0.5) * shape.width / picture.width()),
+                    static_cast<int>((y + 0.5) * shape.height / picture.height()));
+}
+
 /// A part of a picture of the whole canvas, as far as the paint there moves.
 QImage moved_part(const QImage& picture, const QRect& part, const document::Snapshot& painting) {
     QImage cut = picture.copy(part);
     const document::Selection moved = document::without_masked(painting.selection, painting.masking);
     if (moved == nullptr) return cut;
-    const grid::Shape& shape = painting.film.shape;
-    const double cells_x = static_cast<double>(shape.width) / picture.width();
-    const double cells_y = static_cast<double>(shape.height) / picture.height();
     const QRect seen = part & picture.rect();
     for (int y = seen.top(); y <= seen.bottom(); ++y)
         for (int x = seen.left(); x <= seen.right(); ++x) {
-            const std::uint8_t share =
-                moved->at(static_cast<int>((x + 0.5) * cells_x), static_cast<int>((y + 0.5) * cells_y));
+            const std::uint8_t share = share_at(*moved, picture.size(), x, y);
             if (share == grid::kWhole) continue;
             const QPoint place = QPoint(x, y) - part.topLeft();
             QColor colour = cut.pixelColor(place);
@@ -123,14 +126,10 @@ QImage part_in(const tools::TransformFrame& frame, const document::Snapshot& pai
 QImage open_canvas(const document::Snapshot& painting, const QSize& size) {
     const document::Selection& masked = painting.masking.cells;
     if (masked == nullptr) return {};
-    const grid::Shape& shape = painting.film.shape;
-    const double cells_x = static_cast<double>(shape.width) / size.width();
-    const double cells_y = static_cast<double>(shape.height) / size.height();
     QImage open(size, QImage::Format_ARGB32_Premultiplied);
     for (int y = 0; y < open.height(); ++y)
         for (int x = 0; x < open.width(); ++x) {
-            const bool is_masked = masked->at(static_cast<int>((x + 0.5) * cells_x),
-                                              static_cast<int>((y + 0.5) * cells_y)) != 0;
+            const bool is_masked = share_at(*masked, size, x, y) != 0;
             open.setPixel(x, y, is_masked ? qRgba(0, 0, 0, 0) : qRgba(0, 0, 0, 255));
         }
     return open;
