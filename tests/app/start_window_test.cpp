@@ -554,6 +554,7 @@ TEST_F(StartWindow, OfPicturesDraggedTogetherThePainterSaysItOnce) {
     EXPECT_EQ(layers->layers[1].look.name, "red");
     EXPECT_EQ(layers->layers[2].look.name, "blue");
     EXPECT_THAT(told(), HasSubstr("broken.png"));
+    settle();
     action(Command::Undo)->trigger();
     session().wait_until_applied();
     EXPECT_EQ(session().snapshot()->layers->layers.size(), 1U) << "one step for all";
