@@ -7,12 +7,12 @@
 #include "document/well.hpp"
 #include "files/image.hpp"
 #include "film/support/support.hpp"
-#include "project/consistency_record.hpp"
 #include "project/mask_bits.hpp"
 #include "project/project.hpp"
 #include "project/project_index.hpp"
 #include "project/project_layout.hpp"
 #include "project/surface_tiles.hpp"
+#include "recordings/consistency_record.hpp"
 #include "recordings/recording_json.hpp"
 
 #include <algorithm>
@@ -25,6 +25,7 @@ namespace pastoso::project {
 namespace {
 
 using document::PaintingState;
+using recordings::told_by_paint;
 
 std::string text_of(const Bytes& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -78,25 +79,11 @@ void check_surface(const ZipReader& archive, const core::Message& which, const S
                  which, index.shape.width, index.shape.height, shape.width, shape.height);
 }
 
-/// The surface with all but its tiles.
-document::SurfaceState empty_surface(const SurfaceIndex& index) {
-    document::SurfaceState surface{film::FilmState(index.shape, index.cell_mm), {}};
-    surface.film.consistencies = index.consistencies.value_or(film::Consistencies{});
-    set_media(index.media, surface.film);
-    surface.film.strata.fixed = index.fixed;
-    surface.film.strata.evaporated = index.evaporated;
-    surface.solver.calls = index.calls;
-    surface.solver.runoff = index.runoff;
-    return surface;
-}
-
 /// Reads the tiles, which tell what the index does not.
 void fill(const ZipReader& archive, const SurfaceIndex& index, const film::Medium& in_hand,
           document::SurfaceState& surface, core::ThreadPool& pool) {
     read_tiles(archive, index.entries, surface, pool);
     film::FilmState& film = surface.film;
-    if (!are_possible(film.media, film.thickness))
-        archive.fail(kIndexEntry, "a cell holds more of its media than it holds paint.");
     if (!index.consistencies)
         film.consistencies =
             told_by_paint(document::contents_of(film::totals(film), film.cell_mm), in_hand);
@@ -324,7 +311,8 @@ LoadedProject loaded(const ZipReader& archive, core::ThreadPool& pool) {
     read_brush(archive, index.brush_aside, core::message("aside"), medium, aside.get());
     value.brush_aside = aside;
     if (index.copied) {
-        check_surface(archive, core::message("copied paint"), *index.copied, index.copied->shape, value.film.cell_mm);
+        if (!recordings::is_possible_cell(index.copied->cell_mm))
+            archive.fail(kIndexEntry, "the copied paint has cells of a size that no painting has.");
         value.copied = read_apart(archive, *index.copied, medium, pool);
     }
     if (index.selection) value.selection = read_mask(archive, *index.selection, value.film.shape, true);

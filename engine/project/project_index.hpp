@@ -5,7 +5,7 @@
 #include "document/actions/reference_actions.hpp"
 #include "document/painting_state.hpp"
 #include "film/support/support.hpp"
-#include "project/media_record.hpp"
+#include "recordings/surface_index.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,33 +17,9 @@ namespace pastoso::project {
 
 inline constexpr int kProjectFormatVersion = 13;
 
-/// An entry of the archive that is a Zstandard frame with a checksum of its own.
-struct PackedEntry {
-    std::string entry;            ///< its name
-    std::size_t size = 0;         ///< of the content
-    std::size_t packed_size = 0;  ///< of the frame
-};
-
-/// Tiles of one kind, one after the other.
-struct TileEntry {
-    std::string kind;
-    std::vector<int> tiles;  ///< in ascending order
-    PackedEntry packed;
-};
-
-/// A painted surface but for its tiles.
-struct SurfaceIndex {
-    grid::Shape shape{};
-    double cell_mm = 0.0;
-    /// Left out where formats before 5 say that it is of one medium.
-    std::optional<film::Consistencies> consistencies{};
-    MediaIndex media{};  ///< none in formats before 9
-    film::DriedTotals fixed{};
-    std::int64_t evaporated = 0;
-    std::int64_t calls = 0;
-    film::Totals runoff{};
-    std::vector<TileEntry> entries{};
-};
+using recordings::PackedEntry;
+using recordings::SurfaceIndex;
+using recordings::TileEntry;
 
 struct LayerIndex {
     document::Layer layer;  ///< without its film

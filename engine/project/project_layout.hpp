@@ -21,9 +21,6 @@ inline constexpr const char* kBareSupportFolder = "pastoso/bare/";
 inline constexpr const char* kWellFolder = "pastoso/well/";
 inline constexpr const char* kCopiedFolder = "pastoso/copied/";
 
-/// Tiles are put together up to this size, so that a few threads share the work evenly.
-inline constexpr std::size_t kEntryBytes = std::size_t{4} << 20;
-
 /// No reader takes more.
 inline constexpr std::size_t kMostIndexBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMostSetupBytes = std::size_t{4} << 20;

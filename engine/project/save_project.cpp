@@ -17,19 +17,6 @@ namespace {
 
 using document::PaintingState;
 
-SurfaceIndex surface_index(const document::SurfaceState& surface) {
-    const film::FilmState& film = surface.film;
-    return {.shape = film.shape,
-            .cell_mm = film.cell_mm,
-            .consistencies = film.consistencies,
-            .media = media_index(film.media),
-            .fixed = film.strata.fixed,
-            .evaporated = film.strata.evaporated,
-            .calls = surface.solver.calls,
-            .runoff = surface.solver.runoff,
-            .entries = {}};
-}
-
 std::string layer_folder(std::size_t place) {
     return "pastoso/layer" + std::to_string(place) + "/";
 }
@@ -54,7 +41,7 @@ std::vector<SurfaceIndex*> surfaces_of(ProjectIndex& index) {
 SurfaceIndex add_surface(const document::SurfaceState& surface, const std::string& folder, Draft& draft,
                          const film::SupportHeights* bare_support_mm = nullptr) {
     draft.surfaces.emplace_back(surface, bare_support_mm, folder, draft.archive);
-    SurfaceIndex index = surface_index(surface);
+    SurfaceIndex index = recordings::surface_index(surface);
     index.entries = draft.surfaces.back().entries();
     return index;
 }

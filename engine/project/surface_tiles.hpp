@@ -3,7 +3,6 @@
 
 #include "core/thread_pool.hpp"
 #include "project/project_index.hpp"
-#include "project/tile_kinds.hpp"
 #include "project/zip_file.hpp"
 
 #include <string>
@@ -15,7 +14,7 @@ namespace pastoso::project {
 class TilePacking {
   public:
     /// Adds entries "FOLDERkind-000.zst" ... to the archive; their contents come with pack().
-    /// `bare_support_mm` as in SurfaceSource.
+    /// `bare_support_mm` as in recordings::SurfaceSource.
     TilePacking(document::SurfaceState surface, const film::SupportHeights* bare_support_mm,
                 const std::string& folder, ZipWriter& archive);
     ~TilePacking();

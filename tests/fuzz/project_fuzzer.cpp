@@ -5,8 +5,8 @@
 #include "document/painting.hpp"
 #include "project/project.hpp"
 #include "project/project_index.hpp"
-#include "project/tile_kinds.hpp"
 #include "project/zip_file.hpp"
+#include "recordings/tile_kinds.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -42,8 +42,8 @@ void decode_tiles(std::span<const std::byte> bytes) {
     surface.solver.awake.resize(1);
     surface.solver.pressures.resize(1);
     const auto places = static_cast<std::size_t>(kShape.tile_count());
-    SurfaceTarget target{surface, std::vector<int>(places, 0), std::vector<int>(places, 0)};
-    for (const TileKind& kind : tile_kinds()) {
+    recordings::SurfaceTarget target{surface, std::vector<int>(places, 0), std::vector<int>(places, 0)};
+    for (const recordings::TileKind& kind : recordings::tile_kinds()) {
         Bytes content(kind.bytes);
         for (std::size_t i = 0; i < content.size(); ++i)
             content[i] = bytes[i % bytes.size()];

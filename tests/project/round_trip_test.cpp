@@ -5,9 +5,9 @@
 #include "files/image.hpp"
 #include "files/temporary_folder.hpp"
 #include "film/support/support.hpp"
-#include "project/activity_record.hpp"
 #include "project/mask_bits.hpp"
 #include "project/paintings.hpp"
+#include "recordings/activity_record.hpp"
 #include "recordings/canvas_support.hpp"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,8 @@ void expect_equal(const film::SolverState& a, const film::SolverState& b) {
     ASSERT_EQ(a.awake.size(), b.awake.size());
     for (std::size_t i = 0; i < a.awake.size(); ++i) {
         EXPECT_EQ(a.awake[i].tile, b.awake[i].tile);
-        EXPECT_EQ(activity_record(a.awake[i].activity), activity_record(b.awake[i].activity));
+        EXPECT_EQ(recordings::activity_record(a.awake[i].activity),
+                  recordings::activity_record(b.awake[i].activity));
     }
     ASSERT_EQ(a.pressures.size(), b.pressures.size());
     for (std::size_t i = 0; i < a.pressures.size(); ++i) {
@@ -469,6 +470,20 @@ TEST_F(ProjectRoundTrip, CopiedPaintIsPastedAfterwardsAlike) {
     document::Painting again(loaded.painting, pool);
     for (document::Painting* one : {painting.get(), &again})
         one->apply(document::PastePaint{"Copy", 3.0, -2.0});
+    EXPECT_EQ(again.state_hash(), painting->state_hash());
+}
+
+TEST_F(ProjectRoundTrip, PaintThatWasCopiedInCellsOfAnotherSizeIsKept) {
+    auto painting = played(busy_session(), 85, pool);
+    painting->apply(document::CopyPaint{1});
+    painting->apply(document::ScaleCanvas{1.0, 1.0, 1.5});
+    const Project project{painting->state(), {}};
+    ASSERT_NE(project.painting.value.copied->cell_mm, project.painting.value.film.cell_mm);
+    const LoadedProject loaded = saved_and_loaded(project);
+    expect_equal(loaded.painting, project.painting);
+    document::Painting again(loaded.painting, pool);
+    for (document::Painting* one : {painting.get(), &again})
+        one->apply(document::PastePaint{"Copy"});
     EXPECT_EQ(again.state_hash(), painting->state_hash());
 }
 

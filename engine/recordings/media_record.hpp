@@ -5,7 +5,7 @@
 #include "files/json_place.hpp"
 #include "film/state.hpp"
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 
 /// What a file's index tells of a surface's media; which of them is in each cell, its tiles tell.
 struct MediaIndex {
@@ -26,4 +26,4 @@ brush::HeldMedia read_held_media(const files::JsonPlace& place);
 /// Whether no cell holds more of all media, or of one that nobody tells of, than it holds paint.
 bool are_possible(const film::WetMedia& media, const grid::TiledField<std::int32_t>& thickness);
 
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 
 /// Little-endian words: flags (1 measured, 2 changed from outside); the time it waits (a double); the
 /// window's time; its motion, largest and near the four sides; the speeds across and beside the four
@@ -20,4 +20,4 @@ film::TileActivity activity_of(const ActivityRecord& record);
 /// Whether all numbers are finite and within what paint can do: a step then has a length.
 bool is_possible(const film::TileActivity& activity);
 
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings

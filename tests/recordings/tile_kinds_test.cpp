@@ -1,11 +1,11 @@
-#include "project/tile_kinds.hpp"
+#include "recordings/tile_kinds.hpp"
 
 #include <cstring>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 namespace {
 
 constexpr grid::Shape kShape{100, 70};
@@ -56,4 +56,4 @@ TEST(TileKinds, WhatIsRefusedDoesNotReachTheSurface) {
 }
 
 }  // namespace
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings

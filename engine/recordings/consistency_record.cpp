@@ -1,8 +1,8 @@
-#include "project/consistency_record.hpp"
+#include "recordings/consistency_record.hpp"
 
 #include <cmath>
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 namespace {
 
 using files::Json;
@@ -53,4 +53,4 @@ Consistencies told_by_paint(const brush::Contents& paint, const film::Medium& in
     return same ? Consistencies(one) : Consistencies::several();
 }
 
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings

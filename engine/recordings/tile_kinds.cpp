@@ -1,7 +1,7 @@
-#include "project/tile_kinds.hpp"
+#include "recordings/tile_kinds.hpp"
 
 #include "packing/tile_values.hpp"
-#include "project/activity_record.hpp"
+#include "recordings/activity_record.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 namespace {
 
 using document::SurfaceState;
@@ -378,4 +378,4 @@ std::span<const TileKind> tile_kinds() {
     return kKinds;
 }
 
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings

@@ -1,8 +1,8 @@
-#include "project/activity_record.hpp"
+#include "recordings/activity_record.hpp"
 
 #include <bit>
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 namespace {
 
 constexpr std::uint32_t kMeasured = 1, kChanged = 2;
@@ -101,4 +101,4 @@ bool is_possible(const film::TileActivity& activity) {
     return possible;
 }
 
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings

@@ -1,10 +1,10 @@
-#include "project/media_record.hpp"
+#include "recordings/media_record.hpp"
 
 #include "recordings/paint_json.hpp"
 
 #include <algorithm>
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 namespace {
 
 using files::Json;
@@ -24,8 +24,7 @@ std::vector<FilmNumbers> read_list(const JsonPlace& place) {
     if (place.size() > film::kMostMedia) place.fail("expected %1 media at most.", film::kMostMedia);
     std::vector<FilmNumbers> numbers;
     for (std::size_t k = 0; k < place.size(); ++k)
-        numbers.push_back(
-            film::film_numbers_of(recordings::read_medium_numbers(place.element(k), film::Medium{})));
+        numbers.push_back(film::film_numbers_of(read_medium_numbers(place.element(k), film::Medium{})));
     return numbers;
 }
 
@@ -104,4 +103,4 @@ bool are_possible(const film::WetMedia& media, const grid::TiledField<std::int32
     return true;
 }
 
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings

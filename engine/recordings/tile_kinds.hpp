@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 
 /// What is written of a surface.
 struct SurfaceSource {
@@ -41,4 +41,4 @@ struct TileKind {
 /// In the order of the file.
 std::span<const TileKind> tile_kinds();
 
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings

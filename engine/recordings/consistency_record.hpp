@@ -6,7 +6,7 @@
 #include "film/cell/consistency.hpp"
 #include "film/medium.hpp"
 
-namespace pastoso::project {
+namespace pastoso::recordings {
 
 /// "none", "several", or an object with the numbers of the only one.
 files::Json consistencies_json(const film::Consistencies& consistencies);
@@ -17,4 +17,4 @@ film::Consistencies read_consistencies(const files::JsonPlace& place);
 /// otherwise each cell is asked, several.
 film::Consistencies told_by_paint(const brush::Contents& paint, const film::Medium& in_hand);
 
-}  // namespace pastoso::project
+}  // namespace pastoso::recordings
