@@ -16,6 +16,8 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/vec2.hpp>
+
 namespace pastoso::document {
 namespace {
 
@@ -186,17 +188,15 @@ void add_to_hash(const film::FilmState& film, const Layer& layer, core::Hash64& 
     hash.add_value(layer.look.opacity);
 }
 
-/// What was copied of a canvas of other cells.
-film::FilmState in_cells_of(const film::FilmState& canvas, const film::FilmState& copied,
-                            core::ThreadPool& pool) {
-    if (copied.cell_mm == canvas.cell_mm) return copied;
+/// What was copied as it lies on a canvas so many cells from where it was; other cells are made anew.
+film::FilmState laid_at(const glm::ivec2& move_cells, const film::FilmState& copied,
+                        const film::FilmState& canvas, core::ThreadPool& pool) {
+    if (copied.cell_mm == canvas.cell_mm)
+        return layers::on_extent(copied, {canvas.shape, -move_cells.x, -move_cells.y});
     const double finer = copied.cell_mm / canvas.cell_mm;
-    const auto cells = [finer](int count) {
-        return std::max(1, static_cast<int>(std::ceil(finer * count)));
-    };
     return layers::resampled(copied,
-                             {.map = {finer, 0.0, 0.0, 0.0, finer, 0.0},
-                              .shape = {cells(copied.shape.width), cells(copied.shape.height)},
+                             {.map = {finer, 0.0, 1.0 * move_cells.x, 0.0, finer, 1.0 * move_cells.y},
+                              .shape = canvas.shape,
                               .cell_mm = canvas.cell_mm},
                              pool);
 }
@@ -532,8 +532,7 @@ LayerPaint LayeredCanvas::paste(const PastePaint& paste, const film::FilmState& 
     rearrange([&](LayerStack& stack) {
         check_room(stack);
         film::FilmState paint = off_masking(
-            layers::on_extent(in_cells_of(painting_.film, copied, pool_),
-                              {painting_.film.shape, -cells(paste.move_x_mm), -cells(paste.move_y_mm)}),
+            laid_at({cells(paste.move_x_mm), cells(paste.move_y_mm)}, copied, painting_.film, pool_),
             painting_.masking);
         taken = paint_on(paint);
         insert_above(stack, stack.active, new_look(stack, stack.active, paste.name),

@@ -7,6 +7,7 @@
 #include "brush/symmetry.hpp"
 #include "document/actions/brush_actions.hpp"
 #include "document/actions/canvas_actions.hpp"
+#include "document/actions/copy_actions.hpp"
 #include "document/actions/media_actions.hpp"
 #include "document/canvas.hpp"
 #include "document/layers.hpp"
@@ -40,9 +41,6 @@ struct PaintFlows {
 
 /// One that was laid aside with what it holds, shared by all moments in which it lies there.
 using BrushAside = std::shared_ptr<const BrushInHand>;
-
-/// What was copied of a layer, apart from what it lay on, on a canvas that may have been another one.
-using CopiedPaint = std::shared_ptr<const film::FilmState>;
 
 using SharedTracing = std::shared_ptr<const layers::Tracing>;
 

@@ -62,19 +62,21 @@ bool is_almost_full(const std::filesystem::path& folder) {
     return core::free_bytes(folder).value_or(kLittle_bytes) < kLittle_bytes;
 }
 
-bool is_picture(const document::Event& event) {
+bool is_large(const document::Event& event) {
     const auto* texture = std::get_if<document::LayTexture>(&event.action);
     return std::holds_alternative<document::PaintPicture>(event.action) ||
+           std::holds_alternative<document::BringPaint>(event.action) ||
            std::holds_alternative<document::LayTracing>(event.action) ||
            std::holds_alternative<document::LayReference>(event.action) ||
            (texture != nullptr && std::holds_alternative<layers::PressedTexture>(texture->texture));
 }
 
-/// Where the frame ends that begins with this event. A picture has a frame of its own.
+/// Where the frame ends that begins with this event. A picture has a frame of its own, and paint of
+/// another painting.
 std::size_t end_of_batch(const std::vector<document::Event>& events, std::size_t begin) {
-    if (begin < events.size() && is_picture(events[begin])) return begin + 1;
+    if (begin < events.size() && is_large(events[begin])) return begin + 1;
     std::size_t end = begin;
-    while (end < events.size() && end < begin + kMostBatchEvents && !is_picture(events[end]))
+    while (end < events.size() && end < begin + kMostBatchEvents && !is_large(events[end]))
         ++end;
     return end;
 }

@@ -19,17 +19,25 @@ bool puts_a_picture_on(const document::Action& action) {
            (texture != nullptr && std::holds_alternative<layers::PressedTexture>(texture->texture));
 }
 
-bool holds_pictures(const document::Recording& strokes) {
+bool brings_paint(const document::Action& action) {
+    return std::holds_alternative<document::BringPaint>(action);
+}
+
+bool holds_any(const document::Recording& strokes, bool (*is_such)(const document::Action& action)) {
     return std::any_of(strokes.events.begin(), strokes.events.end(),
-                       [](const document::Event& event) { return puts_a_picture_on(event.action); });
+                       [&](const document::Event& event) { return is_such(event.action); });
 }
 
 std::vector<core::Message> notes_of(const document::Recording& strokes) {
     std::vector<core::Message> notes;
     const core::Message older = document::arithmetic_note(strokes.arithmetic);
     if (!older.empty()) notes.push_back(core::message("its strokes %1", older));
-    if (holds_pictures(strokes))
+    if (holds_any(strokes, &puts_a_picture_on))
         notes.push_back(core::message("a picture on it has no strokes, and comes no finer than it is."));
+    if (holds_any(strokes, &brings_paint))
+        notes.push_back(
+            core::message("paint that was copied in another painting has no strokes here, and comes no "
+                          "finer than it is."));
     if (strokes.canvas.support == "image")
         notes.push_back(core::message("its support is a picture, and comes no finer than that."));
     return notes;

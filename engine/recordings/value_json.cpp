@@ -4,6 +4,7 @@
 #include "files/base64.hpp"
 #include "files/image.hpp"
 #include "recordings/paint_json.hpp"
+#include "recordings/paint_piece.hpp"
 
 #include <array>
 #include <memory>
@@ -69,6 +70,10 @@ Json value_json(const document::SharedPicture& picture) {
 
 Json value_json(const document::SharedReferencePicture& picture) {
     return files::base64(picture->png);
+}
+
+Json value_json(const document::CopiedPaint& paint) {
+    return files::base64(piece_bytes(*paint));
 }
 
 Json value_json(Surface surface) {
@@ -147,6 +152,19 @@ void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::Share
 void ValueReader::read(const JsonPlace& place, const JsonPlace&,
                        document::SharedReferencePicture& picture) {
     picture = std::make_shared<const document::ReferencePicture>(read_png(place));
+}
+
+void ValueReader::read(const JsonPlace& place, const JsonPlace&, document::CopiedPaint& paint) {
+    const auto bytes = files::from_base64(place.text());
+    if (!bytes) place.fail("the copied paint is no base64.");
+    place.guard([&] {
+        const PaintPiece piece = piece_of(*bytes, "the copied paint");
+        paint = piece.paint;
+        piece_bytes_ += piece.unpacked_bytes;
+    });
+    if (piece_bytes_ > kMostRecordedPieces_bytes)
+        place.fail(
+            "the paint of other paintings in this recording is too large; at most 16 GB are read.");
 }
 
 void ValueReader::read(const JsonPlace& place, const JsonPlace&, Surface& surface) {

@@ -4,6 +4,7 @@
 #include "document/actions/actions.hpp"
 #include "files/json_place.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,11 +24,13 @@ files::Json value_json(const std::vector<document::LayerId>& layers);
 files::Json value_json(const document::SharedPicture& picture);
 /// The PNG file that it was packed into.
 files::Json value_json(const document::SharedReferencePicture& picture);
+/// As on the clipboard (paint_piece.hpp), in base64.
+files::Json value_json(const document::CopiedPaint& paint);
 files::Json value_json(document::Surface surface);
 
 /// Reads the values of one recording. `object` is what has `place` as an entry. Throws InputError with
 /// the place; ranges are left to document::check_action(), but for what pictures hold in all
-/// (document::kMostRecordedPixels).
+/// (document::kMostRecordedPixels), and brought paint (kMostRecordedPieces_bytes).
 class ValueReader {
   public:
     void read(const files::JsonPlace& place, const files::JsonPlace& object, document::TakeBrush& take);
@@ -45,6 +48,8 @@ class ValueReader {
               document::SharedPicture& picture);
     void read(const files::JsonPlace& place, const files::JsonPlace& object,
               document::SharedReferencePicture& picture);
+    void read(const files::JsonPlace& place, const files::JsonPlace& object,
+              document::CopiedPaint& paint);
     void read(const files::JsonPlace& place, const files::JsonPlace& object, document::Surface& surface);
 
   private:
@@ -52,6 +57,7 @@ class ValueReader {
     document::ReferencePicture read_png(const files::JsonPlace& place);
 
     double picture_pixels_ = 0.0;  ///< in all pictures so far
+    std::uint64_t piece_bytes_ = 0;  ///< of all brought paint so far, unpacked
 };
 
 }  // namespace pastoso::recordings

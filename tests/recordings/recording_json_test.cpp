@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
@@ -119,6 +120,7 @@ Recording everything() {
         {45, ResizeCanvas{-2.5, 3, 120, 90.5}},
         {45, CopyPaint{3}},
         {45, CopyPaint{}},
+        {45, BringPaint{std::make_shared<const film::FilmState>(grid::Shape{70, 20}, 0.25)}},
         {45, PastePaint{"Piece", 3.5, -20}},
         {45, TurnCanvas{{true, 2}}},
         {45, TurnCanvas{{false, 1}}},
@@ -500,6 +502,9 @@ TEST(RecordingJson, SaysTheVersionOfItsNewestAction) {
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
         recording.events = {{0, PenDown{.sample = {}, .beside = true}}};
         EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 15,")) << arithmetic;
+        recording.events = {
+            {0, BringPaint{std::make_shared<const film::FilmState>(grid::Shape{4, 4}, 0.25)}}};
+        EXPECT_THAT(recording_to_json(recording), HasSubstr("\"version\": 16,")) << arithmetic;
     }
 }
 

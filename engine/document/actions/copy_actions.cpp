@@ -1,5 +1,6 @@
 #include "document/actions/copy_actions.hpp"
 
+#include "core/check.hpp"
 #include "core/error.hpp"
 #include "document/living_painting.hpp"
 
@@ -11,6 +12,14 @@ void apply(const CopyPaint& copy, LivingPainting& painting) {
     PaintingValue& value = painting.value;
     value.copied =
         std::make_shared<const film::FilmState>(painting.canvas.copy(copy, value.selection.get()));
+}
+
+void check_whole(const BringPaint& bring) {
+    PASTOSO_CHECK(bring.paint != nullptr);
+}
+
+void apply(const BringPaint& bring, LivingPainting& painting) {
+    painting.value.copied = bring.paint;
 }
 
 void check_possible(const PastePaint&, const LivingPainting& painting) {
