@@ -1,6 +1,8 @@
 // Paint that is copied, cut and pasted in the window, and pictures of other programs.
 #include "app/window_fixture.hpp"
 
+#include <variant>
+
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
@@ -46,6 +48,24 @@ class ClipboardWindow : public WindowTest {
         return state().value.film.thickness.at(static_cast<int>(4.0 * place_mm.x),
                                                static_cast<int>(4.0 * place_mm.y));
     }
+    document::CanvasSettings canvas_settings() const override {
+        document::CanvasSettings canvas = WindowTest::canvas_settings();
+        canvas.width_mm = width_mm;
+        return canvas;
+    }
+    /// Of another painting; that of before is gone.
+    void open_window(double of_width_mm) {
+        width_mm = of_width_mm;
+        open_another();
+        give(Command::Pause);
+    }
+    std::size_t times_brought() {
+        std::size_t times = 0;
+        for (const document::Event& event : session().capture().record.recording().events)
+            times += std::holds_alternative<document::BringPaint>(event.action) ? 1 : 0;
+        return times;
+    }
+    double width_mm = 60.0;
     static QImage clipboard_image() {
         return qvariant_cast<QImage>(QGuiApplication::clipboard()->mimeData()->imageData());
     }
@@ -132,6 +152,44 @@ TEST_F(ClipboardWindow, ItIsPastedWhereThePointerIs) {
         most = std::max(most, thickness_of_active({30.0, y_mm}));
     EXPECT_GT(most, painted / 2);
     EXPECT_EQ(thickness_of_active({30.0, 20.0}), 0);
+}
+
+TEST_F(ClipboardWindow, AnotherPaintingGetsThePaintItselfWhereItWas) {
+    const std::int32_t painted = thickness_of_active({30.0, 20.0});
+    select(25.0, 35.0);
+    press_keys(Qt::Key_C);
+    open_window(60.0);
+    press_keys(Qt::Key_V);
+    ASSERT_EQ(layer_count(), 2U);
+    EXPECT_EQ(thickness_of_active({30.0, 20.0}), painted);
+    EXPECT_EQ(thickness_of_active({20.0, 20.0}), 0);
+    press_keys(Qt::Key_V);
+    EXPECT_EQ(layer_count(), 3U);
+    EXPECT_EQ(thickness_of_active({30.0, 20.0}), painted);
+    EXPECT_EQ(times_brought(), 1U) << "the recording holds it once";
+    give(Command::Undo);
+    give(Command::Undo);
+    EXPECT_EQ(layer_count(), 1U);
+}
+
+TEST_F(ClipboardWindow, OnACanvasThatDoesNotReachSoFarItLiesInTheMiddle) {
+    select(25.0, 35.0);
+    press_keys(Qt::Key_C);
+    open_window(20.0);
+    press_keys(Qt::Key_V);
+    ASSERT_EQ(layer_count(), 2U);
+    EXPECT_GT(thickness_of_active({10.0, 20.0}), 0);
+    EXPECT_EQ(thickness_of_active({4.0, 20.0}), 0);
+    EXPECT_EQ(thickness_of_active({16.0, 20.0}), 0);
+}
+
+TEST_F(ClipboardWindow, BytesThatAreNoPaintAreRefusedInASentence) {
+    auto* bad = new QMimeData;
+    bad->setData(QStringLiteral("application/x-pastoso-paint"), "nonsense");
+    QGuiApplication::clipboard()->setMimeData(bad);
+    press_keys(Qt::Key_V);
+    EXPECT_THAT(told(), HasSubstr("The clipboard: is no paint"));
+    EXPECT_EQ(layer_count(), 1U);
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include "main/layers/clipboard.hpp"
 
 #include "appearance/picture_view.hpp"
+#include "appearance/shown_message.hpp"
+#include "core/error.hpp"
 #include "layers/apart.hpp"
 #include "layers/extent.hpp"
 #include "main/canvas/canvas_sizing.hpp"
 #include "main/layers/picture_layers.hpp"
+#include "main/wait_cursor.hpp"
+#include "recordings/paint_piece.hpp"
 #include "session/layer_painter.hpp"
 
 #include <utility>
@@ -20,24 +24,38 @@ namespace {
 using commands::Command;
 
 constexpr QLatin1String kImage("application/x-qt-image");
+constexpr QLatin1String kPaint("application/x-pastoso-paint");
 
-/// Copied paint for whoever asks: its picture is made when somebody does.
+/// As much as the clipboard passes on of paint: a recording holds it, too.
+constexpr int kMostPaint_MB = 256;
+
+/// Copied paint for whoever asks: its bytes and its picture are made when somebody does, of nothing but
+/// the paint, since the window it was copied in may be gone then.
 class CopiedMime : public QMimeData {
   public:
     CopiedMime(document::CopiedPaint paint, const grid::Rect& area, const pigment::Bands& ground)
         : paint_(std::move(paint)), area_(area), ground_(ground) {}
 
     const document::CopiedPaint& paint() const { return paint_; }
-    QStringList formats() const override { return {kImage}; }
+    QStringList formats() const override { return {kPaint, kImage}; }
 
   protected:
     QVariant retrieveData(const QString& format, QMetaType) const override {
+        if (format == kPaint) return bytes();
         if (format != kImage) return {};
         if (picture_.isNull()) picture_ = made_picture();
         return picture_;
     }
 
   private:
+    /// None where they are too many.
+    QByteArray bytes() const {
+        if (!bytes_) {
+            bytes_ = QByteArray::fromStdString(recordings::piece_bytes(*paint_));
+            if (bytes_->size() > qsizetype{kMostPaint_MB} * 1'000'000) bytes_->clear();
+        }
+        return *bytes_;
+    }
     QImage made_picture() const {
         const grid::Shape shape{area_.width(), area_.height()};
         const film::FilmState part = layers::on_extent(*paint_, {shape, area_.x0, area_.y0});
@@ -49,13 +67,25 @@ class CopiedMime : public QMimeData {
     document::CopiedPaint paint_;
     grid::Rect area_;
     pigment::Bands ground_;
+    mutable std::optional<QByteArray> bytes_;
     mutable QImage picture_;
 };
 
-/// From where the copied paint lay to where its middle is to be.
-glm::dvec2 way_mm(const film::FilmState& paint, const glm::dvec2& middle_mm) {
+/// Whether cells of the paint lie on a canvas, within a cell; both begin in the same corner.
+bool lie_on(const film::FilmState& canvas, const grid::Rect& cells, double cell_mm) {
+    return cell_mm * (cells.x1 - 1) <= canvas.cell_mm * canvas.shape.width &&
+           cell_mm * (cells.y1 - 1) <= canvas.cell_mm * canvas.shape.height;
+}
+
+/// From where the copied paint lay to where it is to be.
+glm::dvec2 way_mm(const film::FilmState& paint, const film::FilmState& canvas,
+                  std::optional<glm::dvec2> middle_mm) {
     const grid::Rect area = layers::painted_area(paint);
-    return middle_mm - 0.5 * paint.cell_mm * glm::dvec2(area.x0 + area.x1, area.y0 + area.y1);
+    if (!middle_mm && lie_on(canvas, area, paint.cell_mm)) return {0.0, 0.0};
+    const glm::dvec2 middle_of_canvas_mm =
+        0.5 * canvas.cell_mm * glm::dvec2(canvas.shape.width, canvas.shape.height);
+    return middle_mm.value_or(middle_of_canvas_mm) -
+           0.5 * paint.cell_mm * glm::dvec2(area.x0 + area.x1, area.y0 + area.y1);
 }
 
 }  // namespace
@@ -103,15 +133,47 @@ void Clipboard::paste(std::optional<glm::dvec2> middle_mm) {
     const QMimeData* held = QGuiApplication::clipboard()->mimeData();
     const auto* own = dynamic_cast<const CopiedMime*>(held);
     const bool holds_picture = held != nullptr && held->hasImage();
-    if (copied && (!holds_picture || (own != nullptr && own->paint() == copied))) {
-        const glm::dvec2 move_mm = middle_mm ? way_mm(*copied, *middle_mm) : glm::dvec2(0.0);
-        studio_.session().post(document::PastePaint{tr("Pasted").toStdString(), move_mm.x, move_mm.y});
-    } else if (holds_picture) {
+    const bool holds_paint = held != nullptr && held->hasFormat(kPaint);
+    const bool is_kept =
+        copied && ((!holds_picture && !holds_paint) || (own != nullptr && own->paint() == copied));
+    if (is_kept || (holds_paint && bring(*held)))
+        paste_copied(middle_mm);
+    else if (holds_picture)
         pictures_.paint_picture(appearance::picture_of(qvariant_cast<QImage>(held->imageData())),
                                 tr("Pasted"));
-    } else {
+    else if (!holds_paint)
         studio_.report(tr("There is nothing to paste: no paint and no picture has been copied."));
+}
+
+bool Clipboard::bring(const QMimeData& held) {
+    const WaitCursor waiting;
+    const QByteArray bytes = held.data(kPaint);
+    if (bytes.isEmpty()) {
+        studio_.report(tr("The copied paint is too large to go to another painting as paint (at most "
+                          "%1 MB); a picture of it goes.")
+                           .arg(kMostPaint_MB));
+        return false;
     }
+    try {
+        const recordings::PaintPiece piece =
+            recordings::piece_of({bytes.constData(), static_cast<std::size_t>(bytes.size())},
+                                 tr("The clipboard").toStdString());
+        const document::BringPaint brought{piece.paint};
+        // Pasted once more, it need not be in the recording again.
+        if (document::BringPaint{studio_.session().snapshot()->copied} != brought)
+            studio_.session().post(brought);
+        return true;
+    } catch (const core::InputError& error) {
+        studio_.report_refusal(appearance::shown_message(error.message()));
+        return false;
+    }
+}
+
+void Clipboard::paste_copied(std::optional<glm::dvec2> middle_mm) {
+    studio_.session().wait_until_applied();
+    const auto painting = studio_.session().snapshot();
+    const glm::dvec2 move_mm = way_mm(*painting->copied, painting->film, middle_mm);
+    studio_.session().post(document::PastePaint{tr("Pasted").toStdString(), move_mm.x, move_mm.y});
 }
 
 }  // namespace pastoso::main
