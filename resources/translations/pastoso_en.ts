@@ -3061,6 +3061,50 @@
         <source>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</source>
         <translation>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</translation>
     </message>
+    <message>
+        <source>%1 bytes of paint follow, but there should be %2.</source>
+        <translation>%1 bytes of paint follow, but there should be %2.</translation>
+    </message>
+    <message>
+        <source>%1: is no paint that was copied in Pastoso.</source>
+        <translation>%1: is no paint that was copied in Pastoso.</translation>
+    </message>
+    <message>
+        <source>format of copied paint</source>
+        <translation>format of copied paint</translation>
+    </message>
+    <message>
+        <source>no canvas holds so much paint.</source>
+        <translation>no canvas holds so much paint.</translation>
+    </message>
+    <message>
+        <source>no painting has cells of this size.</source>
+        <translation>no painting has cells of this size.</translation>
+    </message>
+    <message>
+        <source>paint that was copied in another painting has no strokes here, and comes no finer than it is.</source>
+        <translation>paint that was copied in another painting has no strokes here, and comes no finer than it is.</translation>
+    </message>
+    <message>
+        <source>the copied paint has cells of a size that no painting has.</source>
+        <translation>the copied paint has cells of a size that no painting has.</translation>
+    </message>
+    <message>
+        <source>the copied paint is no base64.</source>
+        <translation>the copied paint is no base64.</translation>
+    </message>
+    <message>
+        <source>the paint of other paintings in this recording is too large; at most 16 GB are read.</source>
+        <translation>the paint of other paintings in this recording is too large; at most 16 GB are read.</translation>
+    </message>
+    <message>
+        <source>there are %1 puddles, but only %2 have room.</source>
+        <translation>there are %1 puddles, but only %2 have room.</translation>
+    </message>
+    <message>
+        <source>there is more paint than is read, 4 GB.</source>
+        <translation>there is more paint than is read, 4 GB.</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -6336,6 +6380,14 @@
         <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
         <translation>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</translation>
     </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation>&amp;Preview</translation>
+    </message>
+    <message>
+        <source>Show on the canvas what comes of it</source>
+        <translation>Show on the canvas what comes of it</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::CanvasSizeDialog</name>
@@ -8964,6 +9016,14 @@
         <source>There is nothing to paste: no paint and no picture has been copied.</source>
         <translation>There is nothing to paste: no paint and no picture has been copied.</translation>
     </message>
+    <message>
+        <source>The copied paint is too large to go to another painting as paint (at most %1 MB); a picture of it goes.</source>
+        <translation>The copied paint is too large to go to another painting as paint (at most %1 MB); a picture of it goes.</translation>
+    </message>
+    <message>
+        <source>The clipboard</source>
+        <translation>The clipboard</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>
@@ -8990,6 +9050,18 @@
     <message>
         <source>&amp;Keep it beside the canvas, as a reference</source>
         <translation>&amp;Keep it beside the canvas, as a reference</translation>
+    </message>
+    <message>
+        <source>Put each on a &amp;layer, as dry paint</source>
+        <translation>Put each on a &amp;layer, as dry paint</translation>
+    </message>
+    <message>
+        <source>&amp;Keep them beside the canvas, as references</source>
+        <translation>&amp;Keep them beside the canvas, as references</translation>
+    </message>
+    <message>
+        <source>Leave them</source>
+        <translation>Leave them</translation>
     </message>
 </context>
 <context>
@@ -12358,6 +12430,10 @@ Double click, 0: all of it</translation>
     <message>
         <source>Paint : medium</source>
         <translation>Paint : medium</translation>
+    </message>
+    <message>
+        <source>Paint : medium, from paste to stain. Upwards the paint is thinned: it runs sooner, and lets through what lies below</source>
+        <translation>Paint : medium, from paste to stain. Upwards the paint is thinned: it runs sooner, and lets through what lies below</translation>
     </message>
 </context>
 <context>

@@ -3061,6 +3061,50 @@
         <source>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</source>
         <translation>レイヤー「%1」は、非表示の「%2」にクリップされています。</translation>
     </message>
+    <message>
+        <source>%1 bytes of paint follow, but there should be %2.</source>
+        <translation>絵具のデータは %1 バイトですが、%2 バイトのはずです。</translation>
+    </message>
+    <message>
+        <source>%1: is no paint that was copied in Pastoso.</source>
+        <translation>%1: Pastoso でコピーされた絵具ではありません。</translation>
+    </message>
+    <message>
+        <source>format of copied paint</source>
+        <translation>コピーした絵具の形式</translation>
+    </message>
+    <message>
+        <source>no canvas holds so much paint.</source>
+        <translation>これほど多くの絵具が載るキャンバスはありません。</translation>
+    </message>
+    <message>
+        <source>no painting has cells of this size.</source>
+        <translation>この大きさのセルを持つ絵はありません。</translation>
+    </message>
+    <message>
+        <source>paint that was copied in another painting has no strokes here, and comes no finer than it is.</source>
+        <translation>別の絵でコピーした絵具にはここでの筆跡がなく、今より細かくはなりません。</translation>
+    </message>
+    <message>
+        <source>the copied paint has cells of a size that no painting has.</source>
+        <translation>コピーした絵具のセルの大きさは、どの絵にもないものです。</translation>
+    </message>
+    <message>
+        <source>the copied paint is no base64.</source>
+        <translation>コピーした絵具が base64 ではありません。</translation>
+    </message>
+    <message>
+        <source>the paint of other paintings in this recording is too large; at most 16 GB are read.</source>
+        <translation>この記録に含まれる別の絵の絵具が大きすぎます。読み込めるのは最大 16 GB です。</translation>
+    </message>
+    <message>
+        <source>there are %1 puddles, but only %2 have room.</source>
+        <translation>絵具だまりが%1個ありますが、%2個しか入りません。</translation>
+    </message>
+    <message>
+        <source>there is more paint than is read, 4 GB.</source>
+        <translation>絵具が読み込める量（4 GB）を超えています。</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -6335,6 +6379,14 @@
         <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
         <translation>この割合の乾いた絵具が取り除かれ、目に見えないほど細かな粒で手持ちの絵具に置き換わります。厚さは変わりません。</translation>
     </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation>プレビュー(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show on the canvas what comes of it</source>
+        <translation>結果をキャンバスに表示します</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::CanvasSizeDialog</name>
@@ -8955,6 +9007,14 @@
         <source>There is nothing to paste: no paint and no picture has been copied.</source>
         <translation>貼り付けるものがありません。絵具も画像もコピーされていません。</translation>
     </message>
+    <message>
+        <source>The copied paint is too large to go to another painting as paint (at most %1 MB); a picture of it goes.</source>
+        <translation>コピーした絵具は大きすぎて、絵具のまま別の絵に移せません（最大 %1 MB）。画像として貼り付けます。</translation>
+    </message>
+    <message>
+        <source>The clipboard</source>
+        <translation>クリップボード</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>
@@ -8981,6 +9041,18 @@
     <message>
         <source>&amp;Keep it beside the canvas, as a reference</source>
         <translation>参考画像としてキャンバスの横に置く(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Put each on a &amp;layer, as dry paint</source>
+        <translation>1枚ずつ乾いた絵具としてレイヤーに置く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep them beside the canvas, as references</source>
+        <translation>まとめて参考画像としてキャンバスの横に置く(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Leave them</source>
+        <translation>そのままにする</translation>
     </message>
 </context>
 <context>
@@ -12338,6 +12410,10 @@ Ctrl+クリック: その色の絵具を作る
     <message>
         <source>Paint : medium</source>
         <translation>絵具 : メディウム</translation>
+    </message>
+    <message>
+        <source>Paint : medium, from paste to stain. Upwards the paint is thinned: it runs sooner, and lets through what lies below</source>
+        <translation>絵具 : メディウム。ペーストからステインまで。上へ動かすほどうすまり、流れやすくなって下の層が透ける</translation>
     </message>
 </context>
 <context>

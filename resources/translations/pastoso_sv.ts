@@ -3061,6 +3061,50 @@
         <source>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</source>
         <translation>lagret ”%1” är begränsat till ”%2”, som är dolt.</translation>
     </message>
+    <message>
+        <source>%1 bytes of paint follow, but there should be %2.</source>
+        <translation>%1 byte färg följer, men det borde vara %2.</translation>
+    </message>
+    <message>
+        <source>%1: is no paint that was copied in Pastoso.</source>
+        <translation>%1: är ingen färg som har kopierats i Pastoso.</translation>
+    </message>
+    <message>
+        <source>format of copied paint</source>
+        <translation>format för kopierad färg</translation>
+    </message>
+    <message>
+        <source>no canvas holds so much paint.</source>
+        <translation>ingen duk rymmer så mycket färg.</translation>
+    </message>
+    <message>
+        <source>no painting has cells of this size.</source>
+        <translation>ingen målning har celler av den storleken.</translation>
+    </message>
+    <message>
+        <source>paint that was copied in another painting has no strokes here, and comes no finer than it is.</source>
+        <translation>färg som kopierats i en annan målning har inga penseldrag här och blir inte finare än den är.</translation>
+    </message>
+    <message>
+        <source>the copied paint has cells of a size that no painting has.</source>
+        <translation>den kopierade färgen har celler av en storlek som ingen målning har.</translation>
+    </message>
+    <message>
+        <source>the copied paint is no base64.</source>
+        <translation>den kopierade färgen är inte base64.</translation>
+    </message>
+    <message>
+        <source>the paint of other paintings in this recording is too large; at most 16 GB are read.</source>
+        <translation>färgen från andra målningar i den här inspelningen är för stor; högst 16 GB läses.</translation>
+    </message>
+    <message>
+        <source>there are %1 puddles, but only %2 have room.</source>
+        <translation>det finns %1 pölar, men bara %2 får plats.</translation>
+    </message>
+    <message>
+        <source>there is more paint than is read, 4 GB.</source>
+        <translation>det är mer färg än vad som läses, 4 GB.</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -6336,6 +6380,14 @@
         <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
         <translation>Så mycket av den torra färgen tas bort och ersätts av färgen i handen, i fläckar som är för fina för att synas. Den förblir lika tjock.</translation>
     </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation>&amp;Förhandsvisning</translation>
+    </message>
+    <message>
+        <source>Show on the canvas what comes of it</source>
+        <translation>Visa på duken vad det blir</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::CanvasSizeDialog</name>
@@ -8964,6 +9016,14 @@
         <source>There is nothing to paste: no paint and no picture has been copied.</source>
         <translation>Det finns inget att klistra in: ingen färg och ingen bild har kopierats.</translation>
     </message>
+    <message>
+        <source>The copied paint is too large to go to another painting as paint (at most %1 MB); a picture of it goes.</source>
+        <translation>Den kopierade färgen är för stor för att föras över till en annan målning som färg (högst %1 MB); en bild av den förs över.</translation>
+    </message>
+    <message>
+        <source>The clipboard</source>
+        <translation>Urklipp</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>
@@ -8990,6 +9050,18 @@
     <message>
         <source>&amp;Keep it beside the canvas, as a reference</source>
         <translation>&amp;Ha den bredvid duken, som referens</translation>
+    </message>
+    <message>
+        <source>Put each on a &amp;layer, as dry paint</source>
+        <translation>Lägg var och en på ett &amp;lager, som torr färg</translation>
+    </message>
+    <message>
+        <source>&amp;Keep them beside the canvas, as references</source>
+        <translation>&amp;Ha dem bredvid duken, som referenser</translation>
+    </message>
+    <message>
+        <source>Leave them</source>
+        <translation>Låt bli</translation>
     </message>
 </context>
 <context>
@@ -12358,6 +12430,10 @@ Dubbelklick, 0: hela tavlan</translation>
     <message>
         <source>Paint : medium</source>
         <translation>Färg : medium</translation>
+    </message>
+    <message>
+        <source>Paint : medium, from paste to stain. Upwards the paint is thinned: it runs sooner, and lets through what lies below</source>
+        <translation>Färg : medium, från pasta till bets. Uppåt tunnas färgen ut: den rinner förr och släpper igenom det som ligger under</translation>
     </message>
 </context>
 <context>

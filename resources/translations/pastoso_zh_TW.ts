@@ -3061,6 +3061,50 @@
         <source>the layer &quot;%1&quot; is clipped to &quot;%2&quot;, which is hidden.</source>
         <translation>圖層「%1」被剪裁到隱藏的「%2」。</translation>
     </message>
+    <message>
+        <source>%1 bytes of paint follow, but there should be %2.</source>
+        <translation>後面有 %1 位元組的顏料，但應為 %2。</translation>
+    </message>
+    <message>
+        <source>%1: is no paint that was copied in Pastoso.</source>
+        <translation>%1：不是在 Pastoso 複製的顏料。</translation>
+    </message>
+    <message>
+        <source>format of copied paint</source>
+        <translation>複製顏料的格式</translation>
+    </message>
+    <message>
+        <source>no canvas holds so much paint.</source>
+        <translation>沒有畫布容得下這麼多顏料。</translation>
+    </message>
+    <message>
+        <source>no painting has cells of this size.</source>
+        <translation>沒有任何畫具有這種大小的格子。</translation>
+    </message>
+    <message>
+        <source>paint that was copied in another painting has no strokes here, and comes no finer than it is.</source>
+        <translation>在另一幅畫複製的顏料在此沒有筆觸，不會比現在更細緻。</translation>
+    </message>
+    <message>
+        <source>the copied paint has cells of a size that no painting has.</source>
+        <translation>複製顏料的格子大小是任何畫都沒有的。</translation>
+    </message>
+    <message>
+        <source>the copied paint is no base64.</source>
+        <translation>複製的顏料不是 base64。</translation>
+    </message>
+    <message>
+        <source>the paint of other paintings in this recording is too large; at most 16 GB are read.</source>
+        <translation>此錄製中來自其他畫的顏料太大，最多讀取 16 GB。</translation>
+    </message>
+    <message>
+        <source>there are %1 puddles, but only %2 have room.</source>
+        <translation>有 %1 灘顏料，但只能容納 %2 灘。</translation>
+    </message>
+    <message>
+        <source>there is more paint than is read, 4 GB.</source>
+        <translation>顏料超過可讀取的量（4 GB）。</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -6335,6 +6379,14 @@
         <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
         <translation>這個比例的乾顏料會被取走，以細到看不見的斑點換成手上的顏料；厚度不變。</translation>
     </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation>預覽(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show on the canvas what comes of it</source>
+        <translation>在畫布上顯示調整後的結果</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::CanvasSizeDialog</name>
@@ -8955,6 +9007,14 @@
         <source>There is nothing to paste: no paint and no picture has been copied.</source>
         <translation>沒有可貼上的內容：尚未複製顏料或圖片。</translation>
     </message>
+    <message>
+        <source>The copied paint is too large to go to another painting as paint (at most %1 MB); a picture of it goes.</source>
+        <translation>複製的顏料太大，無法以顏料的形式帶到另一幅畫（最多 %1 MB），改為貼上它的圖片。</translation>
+    </message>
+    <message>
+        <source>The clipboard</source>
+        <translation>剪貼簿</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>
@@ -8981,6 +9041,18 @@
     <message>
         <source>&amp;Keep it beside the canvas, as a reference</source>
         <translation>放在畫布旁作為參考(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Put each on a &amp;layer, as dry paint</source>
+        <translation>各放到一個圖層上，成為乾顏料(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep them beside the canvas, as references</source>
+        <translation>都放在畫布旁作為參考(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Leave them</source>
+        <translation>保持原狀</translation>
     </message>
 </context>
 <context>
@@ -12338,6 +12410,10 @@ Ctrl＋按一下：調出該顏色的顏料
     <message>
         <source>Paint : medium</source>
         <translation>顏料 : 媒介</translation>
+    </message>
+    <message>
+        <source>Paint : medium, from paste to stain. Upwards the paint is thinned: it runs sooner, and lets through what lies below</source>
+        <translation>顏料 : 媒介，由膏狀到染色。越往上越稀：更易流動，並透出下層</translation>
     </message>
 </context>
 <context>
