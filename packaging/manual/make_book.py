@@ -34,6 +34,9 @@ nav a { margin-right: 1em; white-space: nowrap; }
 @media print { body { font-size: 10pt; max-width: none; padding: 0; } article { break-before: page; } }
 """
 
+# Pictures in a book are named by what they are found under, which the folder that it was made in is no part of.
+PRINTED = "printed:"
+
 
 def anchor_of(heading, separator):
     """As links in the manual name a heading (help::anchor_of)."""
@@ -121,11 +124,16 @@ def printed(picture, folder):
     return copy
 
 
+def opened(url, folder):
+    """What weasyprint asks for: nothing but printed pictures."""
+    return {"string": (folder / url.removeprefix(PRINTED)).read_bytes(), "mime_type": "image/jpeg"}
+
+
 def write_book(manual, out, scratch):
     def target(name):
         def of(kind, to):
             if kind == "src":
-                return printed((manual.folder / "en" / to).resolve(), scratch).as_uri()
+                return PRINTED + printed((manual.folder / "en" / to).resolve(), scratch).name
             if ":" in to:
                 return to
             path, _, anchor = to.partition("#")
@@ -138,7 +146,7 @@ def write_book(manual, out, scratch):
         html = re.sub(r'<h(\d) id="', rf'<h\1 id="{name}-', linked(manual.html(name), target(name)))
         articles.append(f'<article id="{name}">{html}</article>')
     book = document(manual.language, "Pastoso", "\n".join(articles))
-    weasyprint.HTML(string=book).write_pdf(out / f"pastoso-{manual.language}.pdf", optimize_size=("fonts",))
+    weasyprint.HTML(string=book, url_fetcher=lambda url: opened(url, scratch)).write_pdf(out / f"pastoso-{manual.language}.pdf", optimize_size=("fonts",))
 
 
 def main():
