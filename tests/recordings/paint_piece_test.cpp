@@ -39,7 +39,7 @@ class PieceOfPaint : public testing::Test {
         document::paint_dry_wave(painting);
         painting.apply(document::load_of("PY35"));
         document::paint_wave(painting, 1.0, 12.0);
-        painting.apply(document::UseMedium{"house paint"});
+        painting.apply(document::UseMedium{"heavy-body oil"});
         painting.apply(document::load_of("PR254"));
         document::paint_wave(painting, 2.0, 14.0);
         for (int tick = 0; tick < 5; ++tick)
