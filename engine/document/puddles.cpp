@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSquare_mm = 2.0;
 constexpr double kLeast_mm3 = 25.0;  // a tenth of a dollop
+constexpr double kNear_mm = 15.0;    // as far as a dollop reaches from its thick end
 constexpr float kAlike = 0.2F;
 constexpr double kSamePart = 0.02;
 
@@ -24,11 +25,24 @@ constexpr double kPure = 0.99;
 /// Below this, per mm, there is no pigment that could differ.
 constexpr float kColourless_per_mm = 1e-3F;
 
+/// Of cells that lie together, each as often as it is thick.
+struct Middle {
+    std::int64_t count = 0, sum_x = 0, sum_y = 0;
+
+    void add(const Middle& other) {
+        count += other.count;
+        sum_x += other.sum_x;
+        sum_y += other.sum_y;
+    }
+    double x() const { return static_cast<double>(sum_x) / static_cast<double>(count) + 0.5; }
+    double y() const { return static_cast<double>(sum_y) / static_cast<double>(count) + 0.5; }
+};
+
 /// The wet paint of some cells.
 struct Heap {
     std::int64_t thickness = 0;
     std::array<std::int64_t, film::kPigmentChannels> pigment{};
-    int x = 0, y = 0;  ///< of the square where most of it lies
+    Middle middle;
 
     void add(const Heap& other) {
         thickness += other.thickness;
@@ -63,36 +77,47 @@ std::vector<Heap> heaps_on(const film::FilmState& well) {
         for (int x = 0; x < well.shape.width; ++x) {
             const std::int32_t thickness = well.thickness.at(x, y);
             if (thickness == 0) continue;
-            Heap cell{.thickness = thickness, .pigment = {}};
+            Heap cell{.thickness = thickness,
+                      .pigment = {},
+                      .middle = {thickness, std::int64_t{thickness} * x, std::int64_t{thickness} * y}};
             for (std::size_t k = 0; k < cell.pigment.size(); ++k)
                 cell.pigment[k] = well.paint.at(x, y)[k];
-            squares[{y / side, x / side}].add(cell);
+            Heap& square = squares[{y / side, x / side}];
+            square.add(cell);
+            square.middle.add(cell.middle);
         }
     std::vector<Heap> heaps;
-    for (auto& [square, heap] : squares) {
-        heap.x = square.second * side + side / 2;
-        heap.y = square.first * side + side / 2;
+    for (const auto& [square, heap] : squares)
         heaps.push_back(heap);
-    }
     std::stable_sort(heaps.begin(), heaps.end(),
                      [](const Heap& a, const Heap& b) { return a.thickness > b.thickness; });
     return heaps;
 }
 
-/// Each with all that is like the thickest square of it.
-std::vector<Heap> gathered(const std::vector<Heap>& heaps) {
-    std::vector<Heap> whole;
-    std::vector<pigment::Coefficients> paints;
+/// All that is like a square which is the thickest of it; its middle is that of what lies near that.
+struct Gathered {
+    Heap all;
+    Middle thickest;
+    pigment::Coefficients paint;
+
+    void add(const Heap& heap, double near_cells) {
+        all.add(heap);
+        if (std::hypot(heap.middle.x() - thickest.x(), heap.middle.y() - thickest.y()) < near_cells)
+            all.middle.add(heap.middle);
+    }
+};
+
+std::vector<Gathered> gathered(const std::vector<Heap>& heaps, double cell_mm) {
+    std::vector<Gathered> whole;
     for (const Heap& heap : heaps) {
         const pigment::Coefficients paint = mean_of(heap);
-        const auto like = std::find_if(paints.begin(), paints.end(),
-                                       [&](const auto& other) { return are_alike(paint, other); });
-        if (like != paints.end()) {
-            whole[static_cast<std::size_t>(like - paints.begin())].add(heap);
-            continue;
-        }
-        whole.push_back(heap);
-        paints.push_back(paint);
+        const auto like = std::find_if(whole.begin(), whole.end(), [&](const Gathered& other) {
+            return are_alike(paint, other.paint);
+        });
+        if (like == whole.end())
+            whole.push_back({heap, heap.middle, paint});
+        else
+            like->add(heap, kNear_mm / cell_mm);
     }
     return whole;
 }
@@ -123,12 +148,14 @@ std::vector<Puddle> puddles_on(const film::FilmState& well, std::span<const std:
                                double pigment_share) {
     std::vector<Puddle> puddles;
     if (names.empty()) return puddles;
-    for (const Heap& heap : gathered(heaps_on(well))) {
+    for (const Gathered& part : gathered(heaps_on(well), well.cell_mm)) {
+        const Heap& heap = part.all;
         const double volume_mm3 = film::volume_mm3(heap.thickness, well.cell_mm);
         if (volume_mm3 < kLeast_mm3) continue;
         const auto recipe = recipe_of(mean_of(heap), names, pigment_share);
         if (!recipe || !is_mixture(*recipe)) continue;
-        puddles.push_back({*recipe, volume_mm3, heap.x * well.cell_mm, heap.y * well.cell_mm});
+        puddles.push_back(
+            {*recipe, volume_mm3, heap.middle.x() * well.cell_mm, heap.middle.y() * well.cell_mm});
     }
     std::stable_sort(puddles.begin(), puddles.end(),
                      [](const Puddle& a, const Puddle& b) { return a.volume_mm3 > b.volume_mm3; });

@@ -17,7 +17,7 @@ inline constexpr std::size_t kMostPuddles = 12;
 struct Puddle {
     PaintRecipe paint;
     double volume_mm3 = 0.0;  ///< of all of it, wherever it lies
-    double x_mm = 0.0;        ///< where most of it lies, on the well
+    double x_mm = 0.0;        ///< the middle of where most of it lies, on the well
     double y_mm = 0.0;
     friend bool operator==(const Puddle&, const Puddle&) = default;
 };
