@@ -40,6 +40,11 @@ int widest_words(const QFontMetrics& font) {
     return widest;
 }
 
+/// A number keeps its sign where the words take two lines.
+QString unbroken(QString words) {
+    return words.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"));
+}
+
 }  // namespace
 
 ThinningSlider::ThinningSlider(Qt::Orientation direction, QWidget* parent)
@@ -112,7 +117,7 @@ void ThinningSlider::show_hand(const tools::Hand& hand) {
 
 void ThinningSlider::show_share(double share) {
     share_ = share;
-    words_->setText(thinning_words(tools::body_of(film::thinned(unthinned_, share)), share));
+    words_->setText(unbroken(thinning_words(tools::body_of(film::thinned(unthinned_, share)), share)));
 }
 
 }  // namespace pastoso::panels

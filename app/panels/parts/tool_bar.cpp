@@ -24,6 +24,7 @@ QToolButton* ToolBar::add_button(QAction* action) {
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     keep_keys_for_canvas(button);
     addWidget(button);
+    buttons_.push_back(button);
     return button;
 }
 
@@ -58,6 +59,8 @@ void ToolBar::turn(Qt::Orientation orientation) {
         box->style()->polish(box);
         box->updateGeometry();
     }
+    for (QToolButton* button : buttons_)
+        button->setSizePolicy(upright ? QSizePolicy::Preferred : QSizePolicy::Fixed, QSizePolicy::Fixed);
     fit_words();
 }
 

@@ -44,6 +44,7 @@ class ToolBar : public QToolBar {
     void fit_words();
     void turn(Qt::Orientation orientation);
 
+    std::vector<QToolButton*> buttons_;
     std::vector<QComboBox*> boxes_;
     std::vector<Words> words_;
     QSize fitted_;  ///< what the bar needed after its words were fitted
