@@ -140,8 +140,8 @@ void AdjustDialog::show_way() {
     meaning_->setText(
         glaze ? tr("A thin even coat of the paint in hand dries over it, and what lies below shows "
                    "through. It is as thick as this when it is dry.")
-              : tr("So much of the dry paint is taken out and replaced by the paint in hand, in flecks "
-                   "too fine to see. It stays as thick as it is."));
+              : tr("So much of the dry paint is taken out and replaced by the paint in hand, which is "
+                   "stirred in. It stays as thick as it is."));
 }
 
 bool AdjustDialog::previews() const {

@@ -6377,8 +6377,8 @@
         <translation>A thin even coat of the paint in hand dries over it, and what lies below shows through. It is as thick as this when it is dry.</translation>
     </message>
     <message>
-        <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
-        <translation>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</translation>
+        <source>So much of the dry paint is taken out and replaced by the paint in hand, which is stirred in. It stays as thick as it is.</source>
+        <translation>So much of the dry paint is taken out and replaced by the paint in hand, which is stirred in. It stays as thick as it is.</translation>
     </message>
     <message>
         <source>&amp;Preview</source>

@@ -6376,8 +6376,8 @@
         <translation>手持ちの絵具の薄く均一な層がその上で乾き、下のものが透けて見えます。厚さは乾いたときのものです。</translation>
     </message>
     <message>
-        <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
-        <translation>この割合の乾いた絵具が取り除かれ、目に見えないほど細かな粒で手持ちの絵具に置き換わります。厚さは変わりません。</translation>
+        <source>So much of the dry paint is taken out and replaced by the paint in hand, which is stirred in. It stays as thick as it is.</source>
+        <translation>この割合の乾いた絵具が取り除かれ、代わりに手持ちの絵具が混ぜ込まれます。厚さは変わりません。</translation>
     </message>
     <message>
         <source>&amp;Preview</source>

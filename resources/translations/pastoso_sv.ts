@@ -6377,8 +6377,8 @@
         <translation>Ett tunt jämnt skikt av färgen i handen torkar över det, och det som ligger under lyser igenom. Så här tjockt är det när det är torrt.</translation>
     </message>
     <message>
-        <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
-        <translation>Så mycket av den torra färgen tas bort och ersätts av färgen i handen, i fläckar som är för fina för att synas. Den förblir lika tjock.</translation>
+        <source>So much of the dry paint is taken out and replaced by the paint in hand, which is stirred in. It stays as thick as it is.</source>
+        <translation>Så mycket av den torra färgen tas bort och ersätts av färgen i handen, som rörs in. Den förblir lika tjock.</translation>
     </message>
     <message>
         <source>&amp;Preview</source>

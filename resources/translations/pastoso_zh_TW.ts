@@ -6376,8 +6376,8 @@
         <translation>手上的顏料在上面乾成一層均勻的薄膜，下方仍會透出來。這是乾了以後的厚度。</translation>
     </message>
     <message>
-        <source>So much of the dry paint is taken out and replaced by the paint in hand, in flecks too fine to see. It stays as thick as it is.</source>
-        <translation>這個比例的乾顏料會被取走，以細到看不見的斑點換成手上的顏料；厚度不變。</translation>
+        <source>So much of the dry paint is taken out and replaced by the paint in hand, which is stirred in. It stays as thick as it is.</source>
+        <translation>這個比例的乾顏料會被取走，換成手上的顏料並拌進去；厚度不變。</translation>
     </message>
     <message>
         <source>&amp;Preview</source>
