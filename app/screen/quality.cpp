@@ -6,7 +6,7 @@
 namespace pastoso::screen {
 namespace {
 
-constexpr double kSampleSpacing_cells = 0.5;
+constexpr double kSampleSpacing_cells = 0.5, kFairSpacing_cells = 1.0;
 
 /// In a picture made smaller than a third, more samples would no longer be seen.
 constexpr int kMostSamples = 6;
@@ -14,8 +14,9 @@ constexpr int kMostSamples = 6;
 }  // namespace
 
 int samples_per_side(Quality quality, double px_per_cell) {
-    if (quality != Quality::Full) return 1;
-    const double wanted = std::ceil(1.0 / (px_per_cell * kSampleSpacing_cells) - 1e-9);
+    if (quality < Quality::Fair) return 1;
+    const double spacing_cells = quality == Quality::Full ? kSampleSpacing_cells : kFairSpacing_cells;
+    const double wanted = std::ceil(1.0 / (px_per_cell * spacing_cells) - 1e-9);
     return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(kMostSamples)));
 }
 

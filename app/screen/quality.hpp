@@ -7,6 +7,7 @@ namespace pastoso::screen {
 enum class Quality {
     Coarse,  ///< one sample for four pixels, where cells are larger than those
     Plain,   ///< one sample a pixel
+    Fair,    ///< samples at most a cell apart
     Full,    ///< samples at most half a cell apart, as in a saved picture
 };
 

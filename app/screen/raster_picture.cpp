@@ -21,8 +21,9 @@ namespace {
 /// The layers of so many cells are made at once.
 constexpr double kCellsAtOnce = 1 << 22;
 
-/// A picture of every third frame of a screen of 60 Hz still follows the hand.
-constexpr double kMostWork_s = 0.025;
+/// A picture of every third frame of a screen of 60 Hz still follows the hand; while that moves, more
+/// than a quarter of a frame would be taken from the paint that it lays.
+constexpr double kMostWork_s = 0.025, kQuickWork_s = 0.004;
 
 /// Pixels for each cell below which a draft has no relief.
 constexpr double kFlatZoom = 0.25;
@@ -127,30 +128,35 @@ bool RasterPicture::show(const RasterScene& scene, core::ThreadPool& pool) {
     const QRegion known = known_from_afar(region);
     const QRegion rest = region - known;
     paint(known, Quality::Full, pool);
-    const bool soon = budget_.expected_s(work_of(rest)) <= kMostWork_s;
-    if (soon)
-        paint_in_full(rest, pool);
-    else
-        paint(rest, Quality::Plain, pool);
+    const Quality quality = affordable_quality(rest);
+    paint_measured(rest, quality, pool);
     if (finished_anew) finish(image_.rect(), scene, pool);
     finish_for_squint(pool);
-    return !soon;
+    return quality != Quality::Full;
+}
+
+/// From afar there is none between all and one sample.
+Quality RasterPicture::affordable_quality(const QRegion& region) const {
+    const auto takes_s = [&](Quality quality) { return budget_.expected_s(work_of(region, quality)); };
+    if (takes_s(Quality::Full) <= (seen_from_afar() ? kMostWork_s : kQuickWork_s)) return Quality::Full;
+    const bool fair = !seen_from_afar() && takes_s(Quality::Fair) <= kMostWork_s;
+    return fair ? Quality::Fair : Quality::Plain;
 }
 
 /// A pixel's samples or, where that is more and no layers are kept, the cells below it.
-double RasterPicture::work_per_pixel() const {
+double RasterPicture::work_per_pixel(Quality quality) const {
     const double zoom = scene_->view.zoom, cells = 1.0 / (zoom * zoom);
     const double samples = seen_from_afar()
                                ? samples_per_pixel(Quality::Full, kFarZoom) * kFarZoom * kFarZoom * cells
-                               : samples_per_pixel(Quality::Full, zoom);
+                               : samples_per_pixel(quality, zoom);
     return layers_.cells.empty() ? std::max(samples, cells) : samples;
 }
 
-double RasterPicture::work_of(const QRegion& region) const {
+double RasterPicture::work_of(const QRegion& region, Quality quality) const {
     double pixels = 0.0;
     for (const QRect& part : region)
         pixels += 1.0 * part.width() * part.height();
-    return pixels * work_per_pixel();
+    return pixels * work_per_pixel(quality);
 }
 
 /// By which whole pixels the picture that is there is moved along; none: it is not.
@@ -195,11 +201,12 @@ void RasterPicture::paint(const QRegion& region, Quality quality, core::ThreadPo
     draft_ &= QRect(QPoint(0, 0), scene_->window_px);
 }
 
-void RasterPicture::paint_in_full(const QRegion& region, core::ThreadPool& pool) {
+void RasterPicture::paint_measured(const QRegion& region, Quality quality, core::ThreadPool& pool) {
     QElapsedTimer timer;
     timer.start();
-    paint(region, Quality::Full, pool);
-    budget_.measured(work_of(region), 1e-9 * static_cast<double>(timer.nsecsElapsed()));
+    paint(region, quality, pool);
+    if (quality != Quality::Plain)
+        budget_.measured(work_of(region, quality), 1e-9 * static_cast<double>(timer.nsecsElapsed()));
 }
 
 /// The renderer would look for the canvas's highest place each time.
@@ -249,13 +256,14 @@ void RasterPicture::paint_from_afar(const QRegion& region, core::ThreadPool& poo
 
 void RasterPicture::refine(core::ThreadPool& pool) {
     if (!is_draft()) return;
-    paint_in_full(draft_ & next_strip(), pool);
+    paint_measured(draft_ & next_strip(), Quality::Full, pool);
     finish_for_squint(pool);
 }
 
 QRect RasterPicture::next_strip() const {
     QRect strip = draft_.boundingRect();
-    const double rows = budget_.affordable_samples(kMostWork_s) / (work_per_pixel() * strip.width());
+    const double rows =
+        budget_.affordable_samples(kMostWork_s) / (work_per_pixel(Quality::Full) * strip.width());
     strip.setHeight(static_cast<int>(std::clamp(rows, 1.0, static_cast<double>(strip.height()))));
     return strip;
 }

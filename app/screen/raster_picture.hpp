@@ -45,14 +45,15 @@ class RasterPicture {
     void update_layers(const RasterScene& scene, const document::Snapshot& seen, const QRegion& changed,
                        core::ThreadPool& pool);
     QRegion changed_pixels(const RasterScene& scene, const QRegion& changed_cells) const;
-    double work_per_pixel() const;
-    double work_of(const QRegion& region) const;
+    Quality affordable_quality(const QRegion& region) const;
+    double work_per_pixel(Quality quality) const;
+    double work_of(const QRegion& region, Quality quality) const;
     std::optional<glm::ivec2> way_moved(const RasterScene& scene) const;
     void move_by(const glm::ivec2& pixels);
     bool seen_from_afar() const;
     QRegion known_from_afar(const QRegion& region) const;
     void paint(const QRegion& region, Quality quality, core::ThreadPool& pool);
-    void paint_in_full(const QRegion& region, core::ThreadPool& pool);
+    void paint_measured(const QRegion& region, Quality quality, core::ThreadPool& pool);
     template <class Paint>
     void with_layers(const CanvasSheet& sheet, const grid::Rect& pixels, core::ThreadPool& pool,
                      const Paint& paint) const;

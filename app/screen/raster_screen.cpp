@@ -133,8 +133,8 @@ void RasterScreen::make(Frame& frame) {
     else
         frame.is_drafted_now = picture_.show(frame.scene, pool_);
     frame.is_draft = picture_.is_draft();
-    frame.image = picture_.image();
-    frame.changed = picture_.take_changed();
+    for (const QRect& part : picture_.take_changed())
+        frame.changed.push_back({part.topLeft(), picture_.image().copy(part)});
     frame.scale_top_mm = picture_.scale_top_mm();
     hand_over(std::move(frame));
 }
@@ -142,7 +142,8 @@ void RasterScreen::make(Frame& frame) {
 void RasterScreen::hand_over(Frame frame) {
     {
         const std::lock_guard lock(mutex_);
-        if (made_) frame.changed += made_->changed;
+        if (made_)
+            frame.changed.insert(frame.changed.begin(), made_->changed.begin(), made_->changed.end());
         made_ = std::move(frame);
     }
     QMetaObject::invokeMethod(this, &RasterScreen::take_frame, Qt::QueuedConnection);
@@ -159,16 +160,32 @@ void RasterScreen::take_frame() {
     const bool moved = !frame_ || frame_->scene.view != made->scene.view ||
                        frame_->scene.window_px != made->scene.window_px;
     frame_ = std::move(made);
+    const QRegion changed = put_in(*frame_);
+    frame_->changed.clear();
     if (moved)
         update();
     else
-        update_picture(frame_->changed);
+        update_picture(changed);
     if (frame_->scene.sight.look == Look::Height) host_.scale_shown(frame_->scale_top_mm);
     if (frame_->is_drafted_now)
         rest_.start();
     else if (!rest_.isActive())
         refine();
     refresh();
+}
+
+/// Where the window has another size, all of it is another picture.
+QRegion RasterScreen::put_in(const Frame& made) {
+    if (shown_.size() != made.scene.window_px)
+        shown_ = QImage(made.scene.window_px, QImage::Format_RGB32);
+    QRegion changed;
+    QPainter onto(&shown_);
+    onto.setCompositionMode(QPainter::CompositionMode_Source);
+    for (const PicturePart& part : made.changed) {
+        onto.drawImage(part.place, part.pixels);
+        changed += QRect(part.place, part.pixels.size());
+    }
+    return changed;
 }
 
 /// Strip by strip: what the hand does meanwhile comes first.
@@ -203,7 +220,7 @@ void RasterScreen::draw(QPainter& painter) {
     const QTransform way = moved(frame_->scene.view, host_.view_transform());
     painter.setRenderHint(QPainter::SmoothPixmapTransform, way.type() > QTransform::TxTranslate);
     painter.setTransform(way, true);
-    painter.drawImage(QPoint(0, 0), frame_->image);
+    painter.drawImage(QPoint(0, 0), shown_);
     painter.restore();
     RasterOverlay overlay(painter, point_px);
     host_.draw_over(*frame_->scene.sight.painting, overlay);

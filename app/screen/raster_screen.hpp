@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QTimer>
 
@@ -33,13 +34,18 @@ class RasterScreen : public QWidget, public CanvasScreen {
     void showEvent(QShowEvent* event) override;
 
   private:
-    /// A scene, and its picture once that is made.
+    /// Pixels of the picture. All of it, shared with who makes the next one, would be copied each time.
+    struct PicturePart {
+        QPoint place;
+        QImage pixels;
+    };
+
+    /// A scene, and what its picture has that the one before had not once that is made.
     struct Frame {
         RasterScene scene;
         bool refines = false;  ///< the picture that is there already
         bool is_draft = false, is_drafted_now = false;
-        QImage image{};
-        QRegion changed{};  ///< of the image since the frame before
+        std::vector<PicturePart> changed{};  ///< since the frame before
         double scale_top_mm = 0.0;
         core::Message fault{};  ///< in one sentence, instead of the picture
     };
@@ -48,6 +54,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     void make(Frame& frame);
     void hand_over(Frame frame);
     void take_frame();
+    QRegion put_in(const Frame& made);
     void refine();
     bool is_where_it_is_seen() const;
     QRect overlay_points() const;
@@ -61,6 +68,7 @@ class RasterScreen : public QWidget, public CanvasScreen {
     RasterPicture picture_;  ///< the worker's
     std::optional<RasterScene> asked_;
     std::optional<Frame> frame_;  ///< on the screen
+    QImage shown_;                ///< its picture
     QTimer rest_;                 ///< since a draft was made
     QRect overlay_;               ///< what is drawn over it lies there, in points
     bool looks_at_overlay_ = false;

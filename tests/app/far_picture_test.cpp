@@ -231,6 +231,19 @@ TEST_F(Afar, WhatIsDrawnInPartsIsWhatIsDrawnAtOnce) {
     }
 }
 
+TEST_F(Afar, FromNearbyADraftEndsAsThePictureThatIsDrawnAtOnce) {
+    for (const double zoom : {0.3, 0.55, 0.9}) {
+        scene_.view = {{-15.0, -12.0}, zoom};
+        RasterPicture picture;
+        show(picture, scene_);
+        for (int step = 0; step < 3; ++step) {
+            change(90 + 61 * step, 100 + 43 * step);
+            show(picture, scene_);
+            EXPECT_EQ(picture.image(), shown(scene_)) << step << " at " << zoom;
+        }
+    }
+}
+
 TEST_F(Afar, PaintAndLightThatChangeWhileSeenFromNearbyAreThereFromAfar) {
     RasterPicture picture;
     show(picture, scene_);

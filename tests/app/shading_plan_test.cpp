@@ -94,6 +94,9 @@ TEST(ShadingPlan, ASmallerPictureIsFirstPlainThenSampledFinely) {
     EXPECT_EQ(samples_per_side(Quality::Full, 0.5), 4);
     EXPECT_EQ(samples_per_side(Quality::Full, 1.0), 2);
     EXPECT_EQ(samples_per_side(Quality::Full, 2.0), 1);
+    EXPECT_EQ(samples_per_side(Quality::Fair, 0.5), 2);
+    EXPECT_EQ(samples_per_side(Quality::Fair, 0.3), 4);
+    EXPECT_EQ(samples_per_side(Quality::Fair, 1.0), 1);
 }
 
 TEST(ShadingPlan, DamageOutsideTheWindowIsDropped) {
