@@ -135,11 +135,14 @@ bool RasterPicture::show(const RasterScene& scene, core::ThreadPool& pool) {
     return quality != Quality::Full;
 }
 
-/// From afar there is none between all and one sample.
+/// From afar, and where cells are large, none between has fewer samples: a draft would be made twice.
 Quality RasterPicture::affordable_quality(const QRegion& region) const {
     const auto takes_s = [&](Quality quality) { return budget_.expected_s(work_of(region, quality)); };
-    if (takes_s(Quality::Full) <= (seen_from_afar() ? kMostWork_s : kQuickWork_s)) return Quality::Full;
-    const bool fair = !seen_from_afar() && takes_s(Quality::Fair) <= kMostWork_s;
+    const double zoom = scene_->view.zoom;
+    const bool fair_is_less = !seen_from_afar() && samples_per_pixel(Quality::Fair, zoom) <
+                                                       samples_per_pixel(Quality::Full, zoom);
+    if (takes_s(Quality::Full) <= (fair_is_less ? kQuickWork_s : kMostWork_s)) return Quality::Full;
+    const bool fair = fair_is_less && takes_s(Quality::Fair) <= kMostWork_s;
     return fair ? Quality::Fair : Quality::Plain;
 }
 
