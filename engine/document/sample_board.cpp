@@ -72,6 +72,12 @@ void SampleBoard::touch(const brush::PenSample& place) {
     move(kTouch_s, [&](double) { return place; });
 }
 
+void SampleBoard::fill(std::vector<CanvasPoint> outline, const PaintRecipe& paint, double thickness_mm) {
+    painting_.apply(SelectArea{std::move(outline)});
+    painting_.apply(FillWithPaint{.paint = paint, .thickness_mm = thickness_mm});
+    painting_.apply(SelectAll{});
+}
+
 void SampleBoard::dry() {
     painting_.apply(DryNow{});
 }
@@ -101,15 +107,20 @@ double rise_and_fall(double share) {
     return std::clamp(10.0 * std::min(share, 1.0 - share), 0.0, 1.0);
 }
 
-void paint_band(SampleBoard& board, double y, double width, const PaintRecipe& paint) {
-    board.take("Impasto flat 18", width);
-    board.load(paint);
-    board.move(0.6, [&](double share) {
-        return brush::PenSample{.x_mm = 0.06 + 0.88 * share,
-                                .y_mm = y,
-                                .pressure = 0.4 * rise_and_fall(share),
-                                .rotation_deg = 90.0};
-    });
+void lay_band(SampleBoard& board, double y, double width, const PaintRecipe& paint) {
+    constexpr double kMargin = 0.06, kThickness_mm = 0.4;
+    constexpr int kPoints = 16;  // of a round end
+    const double radius_mm = 0.5 * width * board.width_mm(), middle_mm = 0.5 * board.width_mm();
+    const double reach_mm = (1.0 - 2.0 * kMargin) * middle_mm - radius_mm;
+    const double y_mm = y * board.aspect() * board.width_mm();
+    std::vector<CanvasPoint> outline;
+    for (const double side : {1.0, -1.0})
+        for (int i = 0; i <= kPoints; ++i) {
+            const double turn = core::kPi * (static_cast<double>(i) / kPoints - 0.5);
+            outline.push_back({middle_mm + side * (reach_mm + radius_mm * std::cos(turn)),
+                               y_mm + side * radius_mm * std::sin(turn)});
+        }
+    board.fill(std::move(outline), paint, kThickness_mm);
 }
 
 }  // namespace pastoso::document

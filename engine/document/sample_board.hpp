@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace pastoso::document {
 
@@ -34,6 +35,8 @@ class SampleBoard {
     /// Drops or dabs with the pen held still.
     void touch(const brush::PenSample& place);
 
+    /// With an even film of wet paint, what a closed line goes around, in millimetres from the top left.
+    void fill(std::vector<CanvasPoint> outline, const PaintRecipe& paint, double thickness_mm);
     void dry();
     void tilt(double tilt_deg, double seconds);
 
@@ -41,6 +44,7 @@ class SampleBoard {
     pigment::Image8 picture() const;
 
     double width_mm() const { return size_.width_mm; }
+    double cell_mm() const { return size_.cell_px * size_.width_mm / size_.width_px; }
     /// Height over width.
     double aspect() const { return static_cast<double>(size_.height_px) / size_.width_px; }
 
@@ -60,7 +64,8 @@ PaintRecipe tinted(const std::string& pigment, double white = 0.0);
 /// From nothing up to 1, and back to nothing at the end: of a share of a stroke.
 double rise_and_fall(double share);
 
-/// A straight stroke of a flat brush `width` of the board wide, from left to right in paint of any kind.
-void paint_band(SampleBoard& board, double y, double width, const PaintRecipe& paint);
+/// A straight band with round ends `width` of the board wide, from left to right: an even film of that
+/// paint of the medium in use.
+void lay_band(SampleBoard& board, double y, double width, const PaintRecipe& paint);
 
 }  // namespace pastoso::document

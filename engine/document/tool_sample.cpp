@@ -64,13 +64,13 @@ void paint_wave(SampleBoard& board, const Wave& wave = {}) {
 /// One above the other.
 void two_bands(SampleBoard& board) {
     const double width = 0.68 * board.aspect();
-    paint_band(board, 0.32, width, tinted("PR108"));
-    paint_band(board, 0.68, width, tinted("PW6"));
+    lay_band(board, 0.32, width, tinted("PR108"));
+    lay_band(board, 0.68, width, tinted("PW6"));
 }
 
 void dry_ground(SampleBoard& board) {
     board.use_medium("fluid acrylic");
-    paint_band(board, 0.5, 1.2 * board.aspect(), tinted("PB29"));
+    lay_band(board, 0.5, 1.2 * board.aspect(), tinted("PB29"));
     board.dry();
 }
 
@@ -101,7 +101,16 @@ void prepare(SampleBoard& board, ToolMark mark) {
     if (mark == ToolMark::OverDry) dry_ground(board);
     if (mark != ToolMark::Blow) return;
     board.use_medium("ink glaze");
-    paint_band(board, 0.5, 0.56 * board.aspect(), tinted("PB29"));
+    lay_band(board, 0.5, 0.56 * board.aspect(), tinted("PB29"));
+}
+
+/// A blade's edge is even along its way: on a board of large cells it takes no shorter steps than shows.
+Preset stepping_by_cells(Preset preset, double cell_mm) {
+    constexpr double kLeastStepCells = 0.5, kMostStep_mm = 2.0;
+    if (preset.tip.shape == TipShape::Knife)
+        preset.stroke.min_spacing_mm =
+            std::max(preset.stroke.min_spacing_mm, std::min(kLeastStepCells * cell_mm, kMostStep_mm));
+    return preset;
 }
 
 void dip(SampleBoard& board, const Preset& preset) {
@@ -172,7 +181,7 @@ pigment::Image8 tool_sample(const Preset& preset, ToolMark mark, const SampleBoa
     const bool has_weave = mark == ToolMark::OverDry || mark == ToolMark::OnWeave;
     SampleBoard board(size, has_weave ? "linen" : "panel", pool, cancelled);
     prepare(board, mark);
-    dip(board, preset);
+    dip(board, stepping_by_cells(preset, board.cell_mm()));
     paint(board, mark);
     return board.picture();
 }

@@ -3,6 +3,7 @@
 
 #include "core/thread_pool.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -51,13 +52,36 @@ TEST(ToolSample, IsSeenOnABoardThatHoldsItsMark) {
 TEST(ToolSample, OnCoarserCellsIsTheSamePictureRoughly) {
     SampleBoard::Size coarse = kSize;
     coarse.cell_px = 2.0;
-    const pigment::Image8 fine = sample(brush::find_preset("flat"));
-    const pigment::Image8 rough = sample(brush::find_preset("flat"), coarse);
-    EXPECT_EQ(rough.width, fine.width);
-    EXPECT_EQ(rough.height, fine.height);
-    EXPECT_NE(rough.rgb, fine.rgb);
-    // The outermost hairs cover other cells: of 40 rows of pixels two more or less.
-    EXPECT_NEAR(mean(rough), mean(fine), 6.0);
+    for (const char* name : {"flat", "Scraper 30", "Spreading knife 40", "Fine comb 18"}) {
+        const pigment::Image8 fine = sample(brush::find_preset(name));
+        const pigment::Image8 rough = sample(brush::find_preset(name), coarse);
+        EXPECT_EQ(rough.width, fine.width);
+        EXPECT_EQ(rough.height, fine.height);
+        EXPECT_NE(rough.rgb, fine.rgb) << name;
+        // The outermost hairs cover other cells: of 40 rows of pixels two more or less.
+        EXPECT_NEAR(mean(rough), mean(fine), 6.0) << name;
+    }
+}
+
+TEST(ToolSample, ABandCoversWhatItIsSaidTo) {
+    core::ThreadPool pool(1);
+    SampleBoard board({.width_mm = 60.0, .width_px = 240, .height_px = 80}, "panel", pool);
+    lay_band(board, 0.3, 0.1, tinted("PR108"));
+    const pigment::Image8 image = board.picture();
+    const auto is_red = [&](int column, int row) {
+        const std::uint8_t* rgb = &image.rgb[static_cast<std::size_t>(3 * (row * image.width + column))];
+        return rgb[0] > 2 * rgb[1];
+    };
+    // 24 rows about the 24th, from column 14.4 to 225.6.
+    for (const int column : {20, 120, 220})
+        EXPECT_TRUE(is_red(column, 24)) << column;
+    for (const int row : {14, 34})
+        EXPECT_TRUE(is_red(120, row)) << row;
+    for (const int row : {10, 38, 70})
+        EXPECT_FALSE(is_red(120, row)) << row;
+    for (const int column : {10, 230})
+        EXPECT_FALSE(is_red(column, 24)) << column;
+    EXPECT_FALSE(is_red(16, 14)) << "its ends are round";
 }
 
 /// The coarsest cells that the strip of the brush editor is painted with.
