@@ -127,6 +127,7 @@ struct Dock {
     const char* name;  ///< in what is remembered of the panels
     const char* title;
     QWidget* content;
+    bool is_whole = false;  ///< nothing of it is scrolled away where the window is low
 };
 
 /// That the Tab key would reach; null where there is none.
@@ -154,7 +155,7 @@ QDockWidget* add_dock(Studio& studio, PanelSet& panels, const Dock& added) {
     auto* dock =
         new QDockWidget(QCoreApplication::translate("pastoso::main", added.title), &studio.window());
     dock->setObjectName(QString::fromLatin1(added.name));
-    dock->setWidget(panels::scrolled(content));
+    dock->setWidget(added.is_whole ? content : panels::scrolled(content));
     studio.window().addDockWidget(Qt::RightDockWidgetArea, dock);
     panels.docks[added.command] = dock;
     studio.commands().on(added.command, [dock, content](bool) {
@@ -181,7 +182,7 @@ void add_docks(Studio& studio, PanelSet& panels) {
              {Command::PhysicsPanel, "physics_panel", QT_TR_NOOP("Physics"), panels.physics},
              {Command::GuidesPanel, "guides_panel", QT_TR_NOOP("Guides"), panels.guides},
              {Command::LightPanel, "light_panel", QT_TR_NOOP("Lights"), panels.lights},
-             {Command::LayersPanel, "layers_panel", QT_TR_NOOP("Layers"), panels.layers},
+             {Command::LayersPanel, "layers_panel", QT_TR_NOOP("Layers"), panels.layers, true},
              {Command::TracingPanel, "tracing_panel", QT_TR_NOOP("Tracing"), panels.tracing},
              {Command::ReferencesPanel, "references_panel", QT_TR_NOOP("References"), panels.references},
              {Command::HistoryPanel, "history_panel", QT_TR_NOOP("History"), panels.history},

@@ -127,6 +127,23 @@ TEST_F(RoomWindow, FitsASmallScreenInEveryLanguage) {
     }
 }
 
+/// 1920 x 1080 pixels at 200 percent, below the window's title.
+TEST_F(RoomWindow, ALowScreenShowsTheStatusBarAndTheLayersButtons) {
+    const QSize low(960, 510);
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        open_small(language);
+        window().resize(low);
+        wait_for([&] { return window().size() == low; });
+        QApplication::processEvents();
+        EXPECT_EQ(window().size(), low);
+        EXPECT_TRUE(window().rect().contains(window().statusBar()->geometry()));
+        const auto* layers = window().findChild<QWidget*>(QStringLiteral("layer_list"))->parentWidget();
+        EXPECT_EQ(layers->visibleRegion().boundingRect(), layers->rect());
+        expect_nothing_cut(*layers);
+    }
+}
+
 TEST_F(RoomWindow, EveryButtonOfTheToolBarIsThereAndSaysMoreWhereThereIsRoom) {
     for (const char* language : kLanguages) {
         SCOPED_TRACE(language);

@@ -16,7 +16,7 @@ namespace {
 using Item = LayerModel::Item;
 
 constexpr int kGap = 6;
-constexpr int kLayerRow = 44, kGroupRow = 30;
+constexpr int kGroupRow = 30;
 constexpr int kClipMark = 16;
 
 /// Clipped layers stand a little to the right of the one that they are clipped to, behind a mark.

@@ -11,6 +11,7 @@ namespace pastoso::panels {
 /// Room for a layer's picture, in pixels of the layout.
 inline constexpr QSize kLayerPicture(52, 36);
 inline constexpr int kLayerIconColumn = 26;
+inline constexpr int kLayerRow = 44;  ///< how high one is
 
 class LayerDelegate : public QStyledItemDelegate {
     Q_OBJECT

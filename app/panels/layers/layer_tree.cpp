@@ -54,6 +54,10 @@ LayerTree::LayerTree(QWidget* parent) : QTreeView(parent) {
     connect(&model_, &QAbstractItemModel::modelReset, this, &LayerTree::unfold);
 }
 
+QSize LayerTree::minimumSizeHint() const {
+    return {QTreeView::minimumSizeHint().width(), kLayerRow + 2 * frameWidth()};
+}
+
 /// Groups stand open unless the painter has folded them.
 void LayerTree::unfold() {
     for (int entry = 0; entry < model_.rowCount(); ++entry) {

@@ -25,6 +25,9 @@ class LayerTree : public QTreeView {
     void show(const document::LayerStack& stack, const tools::LayerRow& chosen);
     void edit_name(const tools::LayerRow& row);
 
+    /// One row is seen where there is no room for more.
+    QSize minimumSizeHint() const override;
+
   Q_SIGNALS:
     void chosen(const tools::LayerRow& row);
     void eye_clicked(const tools::LayerRow& row);
