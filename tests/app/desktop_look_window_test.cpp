@@ -18,11 +18,16 @@ class FakePortal : public QDBusVirtualObject {
   public:
     QString introspect(const QString&) const override { return {}; }
     bool handleMessage(const QDBusMessage& message, const QDBusConnection& bus) override {
-        const bool is_contrast = message.arguments().value(1).toString() == QLatin1String("contrast");
-        const QVariant value = is_contrast ? QVariant(1U) : QVariant(1.25);
+        const QString key = message.arguments().value(1).toString();
+        if (!values.contains(key))
+            return bus.send(message.createErrorReply(
+                QStringLiteral("org.freedesktop.portal.Error.NotFound"), QStringLiteral("not found")));
+        const QVariant value = values[key];
         const QDBusVariant once(value), twice(QVariant::fromValue(once));
         return bus.send(message.createReply() << QVariant::fromValue(twice));
     }
+
+    QVariantMap values;
 };
 
 class DesktopLookTest : public WindowTest {
@@ -62,6 +67,7 @@ class DesktopLookTest : public WindowTest {
 };
 
 TEST_F(DesktopLookTest, IsAskedAndHeardWhenItChanges) {
+    portal_.values = {{QStringLiteral("contrast"), 1U}, {QStringLiteral("text-scaling-factor"), 1.25}};
     main::DesktopLook look(client_);
     std::vector<bool> contrasts;
     std::vector<double> scales;
@@ -79,6 +85,25 @@ TEST_F(DesktopLookTest, IsAskedAndHeardWhenItChanges) {
     wait_for([&] { return contrasts.size() == 2 && scales.size() == 2; });
     EXPECT_FALSE(contrasts.back());
     EXPECT_EQ(scales.back(), 3.0) << "no more than the window has room for";
+}
+
+/// As that of Debian 12 answers.
+TEST_F(DesktopLookTest, APortalThatKnowsNoContrastIsAskedForTheTheme) {
+    portal_.values = {{QStringLiteral("gtk-theme"), QStringLiteral("HighContrastInverse")}};
+    main::DesktopLook look(client_);
+    std::vector<bool> told;
+    QObject::connect(&look, &main::DesktopLook::contrast_told, &look,
+                     [&](bool high) { told.push_back(high); });
+    look.ask();
+    wait_for([&] { return !told.empty(); });
+    tell(QStringLiteral("org.gnome.desktop.interface"), QStringLiteral("gtk-theme"),
+         QStringLiteral("Adwaita-dark"));
+    wait_for([&] { return told.size() == 2; });
+    tell(QStringLiteral("org.freedesktop.appearance"), QStringLiteral("contrast"), 1U);
+    tell(QStringLiteral("org.gnome.desktop.interface"), QStringLiteral("gtk-theme"),
+         QStringLiteral("Adwaita"));
+    wait_for([&] { return told.size() == 4; });
+    EXPECT_EQ(told, (std::vector<bool>{true, false, true, true})) << "either of them suffices";
 }
 
 TEST_F(DesktopLookTest, WithoutABusNothingIsTold) {

@@ -15,6 +15,8 @@ const QString kSettings = QStringLiteral("org.freedesktop.portal.Settings");
 const QString kAppearance = QStringLiteral("org.freedesktop.appearance");
 const QString kContrast = QStringLiteral("contrast");
 const QString kInterface = QStringLiteral("org.gnome.desktop.interface");
+const QString kTheme = QStringLiteral("gtk-theme");
+const QLatin1String kHighTheme("HighContrast");
 const QString kTextScale = QStringLiteral("text-scaling-factor");
 
 constexpr uint kHighContrast = 1;
@@ -36,6 +38,7 @@ DesktopLook::DesktopLook(const QDBusConnection& bus, QObject* parent) : QObject(
 
 void DesktopLook::ask() {
     ask(kAppearance, kContrast);
+    ask(kInterface, kTheme);
     ask(kInterface, kTextScale);
 }
 
@@ -58,10 +61,23 @@ void DesktopLook::hear(const QDBusMessage& change) {
 
 void DesktopLook::take(const QString& of, const QString& key, const QVariant& value) {
     const QVariant bare = bared(value);
-    if (of == kAppearance && key == kContrast) Q_EMIT contrast_told(bare.toUInt() == kHighContrast);
-    if (of != kInterface || key != kTextScale) return;
+    if (of == kAppearance && key == kContrast)
+        take_contrast(bare.toUInt() == kHighContrast, high_theme_);
+    else if (of == kInterface && key == kTheme)
+        take_contrast(high_contrast_, bare.toString().startsWith(kHighTheme));
+    else if (of == kInterface && key == kTextScale)
+        take_text_scale(bare);
+}
+
+void DesktopLook::take_contrast(bool high_contrast, bool high_theme) {
+    high_contrast_ = high_contrast;
+    high_theme_ = high_theme;
+    Q_EMIT contrast_told(high_contrast_ || high_theme_);
+}
+
+void DesktopLook::take_text_scale(const QVariant& value) {
     bool is_number = false;
-    const double scale = bare.toDouble(&is_number);
+    const double scale = value.toDouble(&is_number);
     if (is_number) Q_EMIT text_scale_told(std::clamp(scale, kLeastScale, kMostScale));
 }
 

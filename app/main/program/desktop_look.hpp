@@ -20,7 +20,8 @@ class DesktopLook : public QObject {
     void ask();
 
   Q_SIGNALS:
-    /// Whether more contrast than usual is wanted (org.freedesktop.appearance, contrast).
+    /// Whether more contrast than usual is wanted: org.freedesktop.appearance, contrast; or, of older
+    /// desktops that tell of none, org.gnome.desktop.interface, gtk-theme: HighContrast...
     void contrast_told(bool high);
     /// How much larger than usual text is wanted, 0.5 to 3 (org.gnome.desktop.interface,
     /// text-scaling-factor).
@@ -31,9 +32,12 @@ class DesktopLook : public QObject {
 
   private:
     void take(const QString& of, const QString& key, const QVariant& value);
+    void take_contrast(bool high_contrast, bool high_theme);
+    void take_text_scale(const QVariant& value);
     void ask(const QString& of, const QString& key);
 
     QDBusConnection bus_;
+    bool high_contrast_ = false, high_theme_ = false;
 };
 
 /// The bus of the painter's desktop; one that is not connected where there is none, which none is
