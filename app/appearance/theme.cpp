@@ -138,7 +138,10 @@ void scale_text(double scale) {
         scaled.setPointSizeF(scale * usual.pointSizeF());
     else
         scaled.setPixelSize(std::max(1, static_cast<int>(std::lround(scale * usual.pixelSize()))));
-    if (scaled != QApplication::font()) QApplication::setFont(scaled);
+    if (scaled == QApplication::font()) return;
+    QApplication::setFont(scaled);
+    // A widget below a style sheet takes up the font of the application only when it is styled anew.
+    qApp->setStyleSheet(qApp->styleSheet());
 }
 
 }  // namespace pastoso::appearance

@@ -1,5 +1,6 @@
 // pastoso: the window.
 
+#include "appearance/theme.hpp"
 #include "core/fault.hpp"
 #include "core/isa_request.hpp"
 #include "core/memory.hpp"
@@ -13,6 +14,7 @@
 #include "main/arguments.hpp"
 #include "main/main_window.hpp"
 #include "main/program/application.hpp"
+#include "main/program/desktop_look.hpp"
 #include "main/program/display.hpp"
 #include "main/program/language.hpp"
 #include "main/program/machine_facts.hpp"
@@ -92,6 +94,14 @@ void use(const pastoso::tools::Preferences& preferences) {
     pastoso::main::speak(QString::fromStdString(preferences.language));
 }
 
+/// Before there is anything that is laid out for its words.
+void scale_text_as_desktop() {
+    constexpr int kMostWait_ms = 300;
+    if (pastoso::main::qt_scales_text()) return;
+    const auto scale = pastoso::main::wanted_text_scale(pastoso::main::desktop_bus(), kMostWait_ms);
+    if (scale) pastoso::appearance::scale_text(*scale);
+}
+
 void guard_against_crashes() {
     const std::filesystem::path folder = pastoso::crash::reports_folder();
     if (folder.empty()) return;
@@ -142,6 +152,7 @@ int start(int argc, char** argv) {
     QGuiApplication::setDesktopFileName(QStringLiteral("org.pastoso.Pastoso"));
     QApplication::setWindowIcon(
         QIcon(QString::fromStdString(pastoso::core::resource_path("program/pastoso.svg").string())));
+    scale_text_as_desktop();
     const pastoso::main::KeptPreferences preferences = pastoso::main::kept_preferences();
     use(preferences.values);
     guard_against_crashes();

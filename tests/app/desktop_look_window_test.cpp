@@ -2,6 +2,9 @@
 #include "app/window_fixture.hpp"
 #include "main/program/desktop_look.hpp"
 
+#include <chrono>
+#include <future>
+#include <optional>
 #include <vector>
 
 #include <QCoreApplication>
@@ -104,6 +107,23 @@ TEST_F(DesktopLookTest, APortalThatKnowsNoContrastIsAskedForTheTheme) {
          QStringLiteral("Adwaita"));
     wait_for([&] { return told.size() == 4; });
     EXPECT_EQ(told, (std::vector<bool>{true, false, true, true})) << "either of them suffices";
+}
+
+TEST_F(DesktopLookTest, TheTextsSizeIsWaitedForAtTheStart) {
+    // The portal answers on this thread.
+    const auto asked = [this] {
+        auto answer = std::async(std::launch::async, [this] {
+            constexpr int kLong_ms = 20000;
+            return main::wanted_text_scale(client_, kLong_ms);
+        });
+        wait_for([&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+        return answer.get();
+    };
+    EXPECT_EQ(asked(), std::nullopt) << "the portal knows none";
+    portal_.values = {{QStringLiteral("text-scaling-factor"), 1.5}};
+    EXPECT_EQ(asked(), 1.5);
+    EXPECT_EQ(main::wanted_text_scale(client_, 20), std::nullopt) << "it cannot answer meanwhile";
+    EXPECT_EQ(main::wanted_text_scale(QDBusConnection(QStringLiteral("nowhere")), 20), std::nullopt);
 }
 
 TEST_F(DesktopLookTest, WithoutABusNothingIsTold) {

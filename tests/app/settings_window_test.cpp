@@ -152,6 +152,25 @@ TEST_F(SettingsWindow, TextIsScaledFromItsFirstSize) {
     EXPECT_EQ(QApplication::font(), usual);
 }
 
+TEST_F(SettingsWindow, AllWordsOfTheWindowAreScaled) {
+    const auto sizes = [this] {
+        std::vector<double> found;
+        for (const QWidget* widget : window().findChildren<QWidget*>())
+            found.push_back(widget->font().pointSizeF());
+        return found;
+    };
+    const std::vector<double> usual = sizes();
+    appearance::scale_text(1.5);
+    QApplication::processEvents();
+    const std::vector<double> larger = sizes();
+    ASSERT_EQ(larger.size(), usual.size());
+    for (std::size_t i = 0; i < usual.size(); ++i)
+        EXPECT_NEAR(larger[i], 1.5 * usual[i], 0.1) << i;
+    appearance::scale_text(1.0);
+    QApplication::processEvents();
+    EXPECT_EQ(sizes(), usual);
+}
+
 TEST_F(SettingsWindow, TheCanvasLiesOnTheGroundOfTheTheme) {
     action(Command::Pause)->trigger();
     canvas().zoom_about_centre(0.2);  // its shadow does not reach the corner

@@ -5,6 +5,7 @@
 #include <QDBusPendingCallWatcher>
 #include <QDBusVariant>
 #include <QFileInfo>
+#include <QGuiApplication>
 
 namespace pastoso::main {
 namespace {
@@ -29,6 +30,18 @@ QVariant bared(QVariant value) {
     return value;
 }
 
+QDBusMessage reading(const QString& of, const QString& key) {
+    QDBusMessage read =
+        QDBusMessage::createMethodCall(kService, kPath, kSettings, QStringLiteral("Read"));
+    return read << of << key;
+}
+
+std::optional<double> text_scale(const QVariant& told) {
+    bool is_number = false;
+    const double scale = told.toDouble(&is_number);
+    return is_number ? std::optional(std::clamp(scale, kLeastScale, kMostScale)) : std::nullopt;
+}
+
 }  // namespace
 
 DesktopLook::DesktopLook(const QDBusConnection& bus, QObject* parent) : QObject(parent), bus_(bus) {
@@ -44,10 +57,7 @@ void DesktopLook::ask() {
 
 void DesktopLook::ask(const QString& of, const QString& key) {
     if (!bus_.isConnected()) return;
-    QDBusMessage read =
-        QDBusMessage::createMethodCall(kService, kPath, kSettings, QStringLiteral("Read"));
-    read << of << key;
-    auto* watcher = new QDBusPendingCallWatcher(bus_.asyncCall(read), this);
+    auto* watcher = new QDBusPendingCallWatcher(bus_.asyncCall(reading(of, key)), this);
     connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher, of, key] {
         watcher->deleteLater();
         if (!watcher->isError()) take(of, key, watcher->reply().arguments().value(0));
@@ -66,7 +76,7 @@ void DesktopLook::take(const QString& of, const QString& key, const QVariant& va
     else if (of == kInterface && key == kTheme)
         take_contrast(high_contrast_, bare.toString().startsWith(kHighTheme));
     else if (of == kInterface && key == kTextScale)
-        take_text_scale(bare);
+        if (const std::optional<double> scale = text_scale(bare)) Q_EMIT text_scale_told(*scale);
 }
 
 void DesktopLook::take_contrast(bool high_contrast, bool high_theme) {
@@ -75,10 +85,15 @@ void DesktopLook::take_contrast(bool high_contrast, bool high_theme) {
     Q_EMIT contrast_told(high_contrast_ || high_theme_);
 }
 
-void DesktopLook::take_text_scale(const QVariant& value) {
-    bool is_number = false;
-    const double scale = value.toDouble(&is_number);
-    if (is_number) Q_EMIT text_scale_told(std::clamp(scale, kLeastScale, kMostScale));
+std::optional<double> wanted_text_scale(QDBusConnection bus, int most_ms) {
+    if (!bus.isConnected()) return std::nullopt;
+    const QDBusMessage reply = bus.call(reading(kInterface, kTextScale), QDBus::Block, most_ms);
+    if (reply.type() != QDBusMessage::ReplyMessage) return std::nullopt;
+    return text_scale(bared(reply.arguments().value(0)));
+}
+
+bool qt_scales_text() {
+    return !QGuiApplication::platformName().startsWith(QLatin1String("wayland"));
 }
 
 QDBusConnection desktop_bus() {

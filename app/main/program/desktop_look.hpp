@@ -2,6 +2,8 @@
 // (org.freedesktop.portal.Settings).
 #pragma once
 
+#include <optional>
+
 #include <QDBusConnection>
 #include <QDBusMessage>
 #include <QObject>
@@ -33,12 +35,18 @@ class DesktopLook : public QObject {
   private:
     void take(const QString& of, const QString& key, const QVariant& value);
     void take_contrast(bool high_contrast, bool high_theme);
-    void take_text_scale(const QVariant& value);
     void ask(const QString& of, const QString& key);
 
     QDBusConnection bus_;
     bool high_contrast_ = false, high_theme_ = false;
 };
+
+/// How much larger than usual text is wanted, as text_scale_told() tells it; none where no portal tells it
+/// within `most_ms`.
+std::optional<double> wanted_text_scale(QDBusConnection bus, int most_ms);
+
+/// Where it is Qt that has text follow the desktop, nobody else needs to: X11 tells Qt, Wayland does not.
+bool qt_scales_text();
 
 /// The bus of the painter's desktop; one that is not connected where there is none, which none is
 /// started for.

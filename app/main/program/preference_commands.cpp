@@ -47,12 +47,11 @@ PreferenceCommands::PreferenceCommands(Studio& studio, UndoCommands& undo, Colou
     follow_desktop();
 }
 
-/// Of the text's size X11 tells Qt, Wayland does not.
 void PreferenceCommands::follow_desktop() {
     connect(&desktop_, &DesktopLook::contrast_told, this, [](bool high) {
         appearance::set_contrast(*qApp, high ? appearance::Contrast::High : appearance::Contrast::Usual);
     });
-    if (QGuiApplication::platformName().startsWith(QLatin1String("wayland")))
+    if (!qt_scales_text())
         connect(&desktop_, &DesktopLook::text_scale_told, this, &appearance::scale_text);
     desktop_.ask();
 }

@@ -66,6 +66,32 @@ class OwnKeys : public QObject {
     std::vector<QKeyCombination> keys_;
 };
 
+/// As wide as what it holds needs at that size of text: the words in it change, its width does not.
+class Column : public QScrollArea {
+  public:
+    explicit Column(QWidget* content) {
+        setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus);
+        setWidgetResizable(true);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setWidget(content);
+        keep_width();
+    }
+
+  protected:
+    /// What it holds hears of another font only after it.
+    void changeEvent(QEvent* event) override {
+        QScrollArea::changeEvent(event);
+        if (event->type() == QEvent::FontChange)
+            QMetaObject::invokeMethod(this, &Column::keep_width, Qt::QueuedConnection);
+    }
+
+  private:
+    void keep_width() {
+        setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    }
+};
+
 }  // namespace
 
 QVBoxLayout* section(QWidget* panel, const QString& words, const std::vector<QToolButton*>& buttons) {
@@ -83,15 +109,7 @@ QVBoxLayout* section(QWidget* panel, const QString& words, const std::vector<QTo
 }
 
 QScrollArea* scrolled(QWidget* content) {
-    auto* area = new QScrollArea;
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setWidget(content);
-    area->setMinimumWidth(content->minimumSizeHint().width() +
-                          area->verticalScrollBar()->sizeHint().width());
-    return area;
+    return new Column(content);
 }
 
 void let_shrink(QComboBox* box) {
