@@ -19,34 +19,55 @@ constexpr float kContrast = 1.8F;
 /// Thinner paint carries no hair, which is about as thick itself.
 constexpr float kCarrying_mm = 0.05F;
 
-/// The wet surface that the tool found at a place, or the nearest one on the canvas.
-float found_surface_mm(const film::FilmState& film, const PassMap& pass, double x_mm, double y_mm) {
-    const auto [x, y] = nearest_cell(film, x_mm, y_mm);
-    const int tile = film.shape.tile_at(x, y), cell = grid::Shape::cell_in_tile(x, y);
-    const std::int32_t thickness = film.thickness.read(tile)[cell];
-    return film.support_mm.read(tile)[cell] + film::thickness_mm(pass.found(tile, cell, thickness));
-}
+/// The wet surface that the tool found. The tile that was looked into last is kept open: places that are
+/// asked for one after the other are mostly of one.
+class FoundSurface {
+  public:
+    FoundSurface(const film::FilmState& film, const PassMap& pass) : film_(film), pass_(pass) {}
 
-float mean_found_surface_mm(const film::FilmState& film, const PassMap& pass,
-                            const std::vector<BristlePose>& poses) {
+    float at_mm(Cell cell) {
+        const int tile = film_.shape.tile_at(cell.x, cell.y);
+        if (tile != tile_) open(tile);
+        const int i = grid::Shape::cell_in_tile(cell.x, cell.y);
+        return support_mm_[i] + film::thickness_mm(found_.at(i, thickness_[i]));
+    }
+    /// At a place, or the nearest one on the canvas.
+    float at_mm(double x_mm, double y_mm) { return at_mm(nearest_cell(film_, x_mm, y_mm)); }
+
+    /// What carries a hair: the highest below its tuft, as of the dry surface.
+    float below_tuft_mm(double x_mm, double y_mm, double tuft_mm) {
+        const Cell middle = nearest_cell(film_, x_mm, y_mm);
+        const Cell low = nearest_cell(film_, x_mm - tuft_mm, y_mm - tuft_mm);
+        const Cell high = nearest_cell(film_, x_mm + tuft_mm, y_mm + tuft_mm);
+        return std::max({at_mm(middle), at_mm({low.x, middle.y}), at_mm({high.x, middle.y}),
+                         at_mm({middle.x, low.y}), at_mm({middle.x, high.y})});
+    }
+
+  private:
+    void open(int tile) {
+        tile_ = tile;
+        thickness_ = film_.thickness.read(tile);
+        support_mm_ = film_.support_mm.read(tile);
+        found_ = pass_.read(tile);
+    }
+
+    const film::FilmState& film_;
+    const PassMap& pass_;
+    int tile_ = -1;
+    const std::int32_t* thickness_ = nullptr;
+    film::TileHeights support_mm_;
+    FoundTile found_;
+};
+
+float mean_found_surface_mm(FoundSurface& surface, const std::vector<BristlePose>& poses) {
     double sum_mm = 0.0;
     int count = 0;
     for (const BristlePose& pose : poses) {
         if (!pose.down) continue;
-        sum_mm += found_surface_mm(film, pass, pose.x_mm, pose.y_mm);
+        sum_mm += surface.at_mm(pose.x_mm, pose.y_mm);
         ++count;
     }
     return count > 0 ? static_cast<float>(sum_mm / count) : 0.0F;
-}
-
-/// What carries a hair: the highest of the wet surface below its tuft, as of the dry one.
-float carrying_surface_mm(const film::FilmState& film, const PassMap& pass, const BristlePose& pose,
-                          double tuft_mm) {
-    const auto at = [&](double dx_mm, double dy_mm) {
-        return found_surface_mm(film, pass, pose.x_mm + dx_mm, pose.y_mm + dy_mm);
-    };
-    return std::max(
-        {at(0.0, 0.0), at(-tuft_mm, 0.0), at(tuft_mm, 0.0), at(0.0, -tuft_mm), at(0.0, tuft_mm)});
 }
 
 /// The ride of an element between those that ride and those that scrape.
@@ -78,7 +99,8 @@ float ride_of(const FlexPreset& flex, const HandPose& hand) {
 void bear(const Bearing& bearing, const film::FilmState& film, const PassMap& pass,
           std::vector<BristlePose>& poses) {
     const bool rides = bearing.ride > 0.0F;
-    const float mean_mm = rides && bearing.is_edge ? mean_found_surface_mm(film, pass, poses) : 0.0F;
+    FoundSurface surface(film, pass);
+    const float mean_mm = rides && bearing.is_edge ? mean_found_surface_mm(surface, poses) : 0.0F;
     for (int i = 0; i < static_cast<int>(poses.size()); ++i) {
         BristlePose& pose = poses[static_cast<std::size_t>(i)];
         if (!pose.down) continue;
@@ -88,10 +110,9 @@ void bear(const Bearing& bearing, const film::FilmState& film, const PassMap& pa
         pose.ride = 0.0F;
         pose.bearing_mm = lowest_mm;
         if (!rides) continue;
-        const float wet_mm =
-            bearing.is_edge
-                ? edge_surface_mm(bearing, found_surface_mm(film, pass, pose.x_mm, pose.y_mm), mean_mm)
-                : carrying_surface_mm(film, pass, pose, bearing.tuft_mm);
+        const float wet_mm = bearing.is_edge
+                                 ? edge_surface_mm(bearing, surface.at_mm(pose.x_mm, pose.y_mm), mean_mm)
+                                 : surface.below_tuft_mm(pose.x_mm, pose.y_mm, bearing.tuft_mm);
         pose.ride = bearing.is_edge ? uneven_ride(bearing, i) : hair_ride(bearing, wet_mm - dry_mm);
         pose.bearing_mm = std::max(lowest_mm, dry_mm + pose.ride * (wet_mm - dry_mm));
     }

@@ -9,6 +9,18 @@
 
 namespace pastoso::brush {
 
+/// What a pass has found in the cells of a tile.
+struct FoundTile {
+    const float* begun_mm = nullptr;
+    const std::int32_t* found = nullptr;
+    float expired_mm = 0.0F;  ///< who came before is gone
+
+    /// Quanta in a cell: `thickness`, what lies there now, where no pass has begun.
+    std::int32_t at(int cell, std::int32_t thickness) const {
+        return begun_mm[cell] >= expired_mm ? found_thickness(found[cell]) : thickness;
+    }
+};
+
 /// Every cell's thickness when the tip reached it on its present pass. A pass over a cell lasts for
 /// `length_mm` of travel from the first touch, as long as a tip needs to pass; who comes again later
 /// finds what lies there then. Holds no paint.
@@ -35,10 +47,9 @@ class PassMap {
         return {begun_mm_.write(tile), found_.write(tile), travel_mm_, travel_mm_ - length_mm_};
     }
 
-    /// What the tip found in a cell, quanta: `thickness`, what lies there now, where no pass has begun.
-    std::int32_t found(int tile, int cell, std::int32_t thickness) const {
-        const bool begun = begun_mm_.read(tile)[cell] >= travel_mm_ - length_mm_;
-        return begun ? found_thickness(found_.read(tile)[cell]) : thickness;
+    /// What the tip found in a tile so far.
+    FoundTile read(int tile) const {
+        return {begun_mm_.read(tile), found_.read(tile), travel_mm_ - length_mm_};
     }
 
   private:

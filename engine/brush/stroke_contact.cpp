@@ -57,8 +57,9 @@ Contact Stroke::contact(int bristle, const Touch& touch) const {
     contact.press = pose.press;
     contact.ride = pose.ride;
     contact.freshness = pose.freshness;
-    contact.edge = edge_share(side_mm(pose, hand), touch.swath) *
-                   (brush_.tip.rigid ? thrown_up(bristle) : firmness(pose.press));
+    contact.edge = edge_share(side_mm(pose, hand), touch.swath);
+    if (contact.edge > 0.0F)
+        contact.edge *= brush_.tip.rigid ? thrown_up(bristle) : firmness(pose.press);
     contact.alone = brush_.tip.rigid ? 0.0F : alone(bristle);
     contact.across_x = brush_.tip.rigid ? hand.cos_rotation : -hand.travel_y;
     contact.across_y = brush_.tip.rigid ? hand.sin_rotation : hand.travel_x;

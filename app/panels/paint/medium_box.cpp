@@ -8,11 +8,13 @@
 #include <algorithm>
 
 #include <QAbstractItemView>
+#include <QHelpEvent>
 #include <QPainter>
 #include <QStandardItemModel>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
 #include <QStyledItemDelegate>
+#include <QToolTip>
 
 namespace pastoso::panels {
 namespace {
@@ -126,6 +128,13 @@ void MediumBox::set_swatch(const QString& name, const QImage& image) {
 void MediumBox::showPopup() {
     Q_EMIT swatches_wanted();
     QComboBox::showPopup();
+}
+
+bool MediumBox::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QComboBox::event(event);
+    const QPoint at = static_cast<const QHelpEvent*>(event)->globalPos();
+    QToolTip::showText(at, currentText() + QLatin1Char('\n') + toolTip(), this);
+    return true;
 }
 
 void MediumBox::paintEvent(QPaintEvent*) {

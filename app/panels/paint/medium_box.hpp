@@ -32,6 +32,8 @@ class MediumBox : public QComboBox {
     void showPopup() override;
 
   protected:
+    /// The tip begins with the whole name.
+    bool event(QEvent* event) override;
     /// Its name as far as there is room for it.
     void paintEvent(QPaintEvent* event) override;
 

@@ -25,6 +25,8 @@ class Layer(TypedDict):
     name: str
     visible: bool
     locked: bool
+    bare_locked: bool
+    clipped: bool
     opacity: float
     group: int
     active: bool

@@ -13,14 +13,15 @@ from ._scene import PathLike, Source, source
 
 
 class Mesh(NamedTuple):
-    """A surface of triangles, in metres, z up."""
+    """A surface of triangles, z up.
+
+    positions_m: m, float32 (vertices, 3). normals: of length 1, outwards, float32 (vertices, 3); None where there are
+    none. triangles: places of vertices, counter-clockwise seen from outside, uint32 (triangles, 3).
+    """
 
     positions_m: "np.ndarray[Any, np.dtype[np.float32]]"
-    """(vertices, 3) float32."""
     normals: "Optional[np.ndarray[Any, np.dtype[np.float32]]]"
-    """(vertices, 3) float32, of length 1, outwards; None where there are none."""
     triangles: "np.ndarray[Any, np.dtype[np.uint32]]"
-    """(triangles, 3) uint32, places of vertices, counter-clockwise seen from outside."""
 
     def volume_m3(self) -> float:
         """What a closed mesh encloses: the sum of a . (b x c) / 6 over its triangles."""
@@ -47,20 +48,25 @@ class Tea(_engine.Tea):
 
     @property
     def dissolved(self) -> "np.ndarray[Any, np.dtype[np.float32]]":
-        """Share of milk that has dissolved, float32 (z, y, x)."""
+        """Share of milk that has dissolved, 0 to 1, float32 (z, y, x) with a value for each cell."""
         return self.read("dissolved")
 
     @property
     def coldness(self) -> "np.ndarray[Any, np.dtype[np.float32]]":
-        """Coldness, 0 as warm as the tea to 1 as cold as the milk was, float32 (z, y, x)."""
+        """Coldness, no unit, 0 as warm as the tea to 1 as cold as the milk was, float32 (z, y, x) with a value for each
+        cell."""
         return self.read("coldness")
 
     def surface(self, parts: int = 2) -> Mesh:
-        """The surface of the milk that has not dissolved, closed; parts: samples along a cell, 1 to 8."""
+        """The surface of the milk that has not dissolved, closed; parts: samples along a cell, 1 to 8.
+
+        A Mesh: float32 (vertices, 3) positions in m and normals, uint32 (triangles, 3)."""
         return Mesh(*self.surface_arrays(parts))
 
     def cup(self) -> Dict[str, Mesh]:
-        """The glass and the tea in it, where light crosses: "glass_air", "tea_glass", "tea_air"."""
+        """The glass and the tea in it, where light crosses: "glass_air", "tea_glass", "tea_air".
+
+        A Mesh each: float32 (vertices, 3) positions in m and normals, uint32 (triangles, 3)."""
         return {name: Mesh(*arrays) for name, arrays in self.cup_arrays().items()}
 
     def settings(self) -> Dict[str, Any]:
@@ -96,15 +102,19 @@ class Tank(_engine.Tank):
 
     @property
     def milk(self) -> "np.ndarray[Any, np.dtype[np.float32]]":
-        """Share of milk in the liquid, float32 (z, y, x)."""
+        """Share of milk in the liquid, 0 to 1, float32 (z, y, x) with a value for each cell."""
         return self.read("milk")
 
     def surface(self, parts: int = 2) -> Mesh:
-        """The surface of the liquid, closed, cut where glass and solids begin; parts: samples along a cell, 1 to 4."""
+        """The surface of the liquid, closed, cut where glass and solids begin; parts: samples along a cell, 1 to 4.
+
+        A Mesh: float32 (vertices, 3) positions in m and normals, uint32 (triangles, 3)."""
         return Mesh(*self.surface_arrays(parts))
 
     def solids(self, parts: int = 3) -> Mesh:
-        """The solids that stand in the tank; parts: samples along a cell, 1 to 8."""
+        """The solids that stand in the tank; parts: samples along a cell, 1 to 8.
+
+        A Mesh: float32 (vertices, 3) positions in m and normals, uint32 (triangles, 3)."""
         return Mesh(*self.solid_arrays(parts))
 
     def scene(self) -> Dict[str, Any]:
