@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tries the packages that packaging/deb.sh made, in a bare Debian 12 of their own: checks them with lintian, installs
-# them, paints an example without and with a window and from Python, builds a program with the engine, removes them, and tells their sizes. As root; takes some minutes.
+# them, follows the links of the manual, paints an example without and with a window and from Python, builds a program with the
+# engine, removes them, and tells their sizes. As root; takes some minutes.
 #
 # Usage: packaging/deb-try.sh [FOLDER]
 #   FOLDER   where the packages are; build/packages otherwise
@@ -29,6 +30,16 @@ inside sh -c 'apt-get -q -y --no-install-recommends install /tmp/*.deb xvfb xaut
 for package in pastoso pastoso-cli pastoso-doc libpastoso-dev python3-pastoso; do
     # shellcheck disable=SC2016  # dpkg-query expands it
     say "$package: $(inside dpkg-query -W -f '${Installed-Size}' "$package") KiB installed, $(stat -c %s "$folder/${package}"_*.deb) bytes packed"
+done
+
+say "Checking the manual"
+cp -- "$root/packaging/check_pages.py" "$bare/tmp/"
+inside python3 /tmp/check_pages.py /usr/share/doc/pastoso/docs/html || fail "pages of the manual lead nowhere; see above."
+for translation in en.po "$root"/docs/manual/translations/*.po; do
+    language="$(basename -- "$translation" .po)"
+    for file in "$language/README.html" "pastoso-$language.pdf"; do
+        [[ -f $bare/usr/share/doc/pastoso/docs/html/$file ]] || fail "pastoso-doc lacks $file of the manual."
+    done
 done
 
 say "Painting"

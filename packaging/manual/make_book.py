@@ -102,7 +102,7 @@ def write_pages(manual, out):
             if kind == "src":
                 return f"../{to}"
             check(manual, name, to)
-            page = to.partition("#")[0].removesuffix(".md")
+            page = to.partition("#")[0].removesuffix(".md") or name
             return to.replace(".md", ".html", 1) if page in manual.names else f"../{to}"
         return of
 
