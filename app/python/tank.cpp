@@ -154,17 +154,23 @@ void add_tank(py::module_& module) {
              "across x\n"
              "(z, y, x + 1), y and z. The engine fills or copies it once; the array is a view of that.")
         .def("particles", &particles,
-             "What carries the liquid, a structured array: position_m (3), milk (share), velocity_m_s "
-             "(3). Empty for\n"
-             "methods without particles.")
+             "What carries the liquid, a structured array (count,): position_m (3), m; milk, its share; "
+             "velocity_m_s\n"
+             "(3), m/s. Empty for methods without particles.")
         .def("render", &render, py::arg("width") = 800, py::arg("height") = 800, py::kw_only(),
              py::arg("samples") = 48, py::arg("denoise") = true, py::arg("dtype") = "uint8",
              "A path-traced picture of the whole tank, (height, width, 3), as `pastoso-cli tank` draws "
              "it.\n\n"
              "dtype: uint8, as a screen shall show it, sRGB; or float32, the radiance in linear light.\n"
              "samples: paths for a pixel; denoise: takes the noise of these out. Ctrl+C stops it.")
-        .def("surface_arrays", &surface, py::arg("parts") = 2, "What surface() is made of.")
-        .def("solid_arrays", &solids, py::arg("parts") = 3, "What solids() is made of.")
+        .def("surface_arrays", &surface, py::arg("parts") = 2,
+             "What surface() is made of, as Mesh tells it: m, float32 (vertices, 3); float32 (vertices, "
+             "3) or\n"
+             "None; uint32 (triangles, 3).")
+        .def("solid_arrays", &solids, py::arg("parts") = 3,
+             "What solids() is made of, as Mesh tells it: m, float32 (vertices, 3); float32 (vertices, "
+             "3) or\n"
+             "None; uint32 (triangles, 3).")
         .def(
             "open_drains",
             [](TankWork& work, bool open) { work.turn.take([&] { work.tank.open_drains(open); }); },

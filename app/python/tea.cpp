@@ -156,9 +156,10 @@ void add_tea(py::module_& module) {
              "the array is\n"
              "a view of that copy.")
         .def("parcels", &parcels,
-             "Milk that has not dissolved, a structured array: position_m (3), volume_m3, coldness, "
-             "ball (-1: none\n"
-             "yet), shape (6: xx, yy, zz, xy, xz, yz of the covariance of its milk, 1 as poured).")
+             "Milk that has not dissolved, a structured array (count,): position_m (3), m; volume_m3, "
+             "m3; coldness,\n"
+             "no unit; ball (-1: none yet); shape (6: xx, yy, zz, xy, xz, yz of the covariance of its "
+             "milk, 1 as poured).")
         .def("render", &render, py::arg("width") = 800, py::arg("height") = 800, py::kw_only(),
              py::arg("samples") = 48, py::arg("denoise") = true, py::arg("dtype") = "uint8",
              py::arg("milk") = "medium",
@@ -168,8 +169,15 @@ void add_tea(py::module_& module) {
              "drawn\n"
              "that has not dissolved, \"medium\", as a share of the liquid, or \"surface\", as a body.\n"
              "Ctrl+C stops it.")
-        .def("surface_arrays", &surface, py::arg("parts") = 2, "What surface() is made of.")
-        .def("cup_arrays", &cup, "What cup() is made of.")
+        .def("surface_arrays", &surface, py::arg("parts") = 2,
+             "What surface() is made of, as Mesh tells it: m, float32 (vertices, 3); float32 (vertices, "
+             "3) or\n"
+             "None; uint32 (triangles, 3).")
+        .def("cup_arrays", &cup,
+             "What cup() is made of, by name, as Mesh tells it: m, float32 (vertices, 3); float32 "
+             "(vertices, "
+             "3) or\n"
+             "None; uint32 (triangles, 3).")
         .def(
             "pour_by_hand",
             [](TeaWork& work, std::optional<std::array<float, 2>> at_m) {
