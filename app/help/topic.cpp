@@ -45,6 +45,7 @@ constexpr Topic kTopics[] = {
     {"pastoso::dialogs::RecoveryDialog", "history-and-files#when-something-fails"},
     {"pastoso::dialogs::CrashDialog", "history-and-files#when-something-fails"},
     {"pastoso::dialogs::ExportDialog", "history-and-files#export"},
+    {"pastoso::main::WatchedWindow", "history-and-files#the-recorder"},
     {"pastoso::dialogs::RepaintDialog", "history-and-files#the-recorder"},
     {"pastoso::dialogs::NewCanvasDialog", "README#the-first-minutes"},
     {"pastoso::dialogs::SettingsDialog", "settings"},

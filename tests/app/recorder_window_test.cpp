@@ -2,6 +2,7 @@
 #include "app/window_fixture.hpp"
 #include "dialogs/export_dialog.hpp"
 #include "document/painting_state.hpp"
+#include "help/topic.hpp"
 #include "main/files/replay_window.hpp"
 #include "main/window_parts.hpp"
 
@@ -97,6 +98,14 @@ TEST_F(RecorderWindow, WatchingLeavesThePaintingAsItIs) {
     EXPECT_EQ(hash(), before);
     EXPECT_EQ(session().status().changes, changes);
     EXPECT_EQ(studio().easel().brush_is_lent(), false);
+}
+
+TEST_F(RecorderWindow, TheManualIsOpenedAtWatching) {
+    paint();
+    watch();
+    const QString page = QStringLiteral("history-and-files#the-recorder");
+    EXPECT_EQ(help::topic_of(&replay()->canvas()), page);
+    EXPECT_EQ(help::topic_of(&find<QSlider>("replay_place", replay())), page);
 }
 
 TEST_F(RecorderWindow, ItIsStoppedAndSoughtBackAndForth) {

@@ -1,5 +1,7 @@
 #include "main/files/watched_window.hpp"
 
+#include "help/topic.hpp"
+
 #include <QVBoxLayout>
 
 namespace pastoso::main {
@@ -15,6 +17,8 @@ WatchedWindow::WatchedWindow(const QString& title, const view::CanvasView& like,
     setAttribute(Qt::WA_DeleteOnClose);
     canvas_->set_lighting(like.lighting());
     canvas_->set_viewing(like.viewing());
+    // Nothing is painted here: what the manual says of canvases is about brushes.
+    help::set_topic(*canvas_, help::topic_of(this).toLatin1().constData());
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(8);
