@@ -22,6 +22,8 @@ changes="$(git -C "$root" status --porcelain 2>/dev/null)" || fail "a release is
 [[ ! -e $folder ]] || fail "$folder is there already; a release is made anew."
 grep -q "^## $version" "$root/CHANGELOG.md" || fail "CHANGELOG.md says nothing about $version."
 ! grep -q "^## $version .*not released" "$root/CHANGELOG.md" || fail "CHANGELOG.md says that $version is not released: give it a date."
+date="$(sed -n 's/^set(PASTOSO_VERSION_DATE \([0-9-]*\)).*/\1/p' "$root/CMakeLists.txt")"
+grep -q "^## $version .*$date" "$root/CHANGELOG.md" || fail "CHANGELOG.md gives $version another date than CMakeLists.txt does, $date."
 
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "$scratch"' EXIT

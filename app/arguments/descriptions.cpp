@@ -21,9 +21,9 @@ void add_description(CLI::App& program, const std::string& flag,
 
 }  // namespace
 
-void add_descriptions(CLI::App& program, const std::string& version) {
+void add_descriptions(CLI::App& program, const Edition& edition) {
     add_description(program, "--man",
-                    [version](const CommandFacts& facts) { return man_page(facts, version); });
+                    [edition](const CommandFacts& facts) { return man_page(facts, edition); });
     add_description(program, "--bash-completion", bash_completion);
     add_description(program, "--zsh-completion", zsh_completion);
 }

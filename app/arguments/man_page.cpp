@@ -151,13 +151,13 @@ std::string first_sentence(const std::string& text) {
 
 }  // namespace
 
-std::string man_page(const CommandFacts& program, const std::string& version) {
+std::string man_page(const CommandFacts& program, const Edition& edition) {
     const std::string usage = program.commands.empty()
                                   ? synopsis(program)
                                   : bold(program.name) + " " + italic("COMMAND") + " [" +
                                         italic("OPTION") + "]... [" + italic("ARGUMENT") + "]...\n";
-    return ".TH " + upper_case(escaped(program.name)) + " 1 \"\" \"Pastoso " + version +
-           "\" \"User Commands\"\n" + ".SH NAME\n" + escaped(program.name) + " \\- " +
+    return ".TH " + upper_case(escaped(program.name)) + " 1 \"" + edition.date + "\" \"Pastoso " +
+           edition.version + "\" \"User Commands\"\n" + ".SH NAME\n" + escaped(program.name) + " \\- " +
            line_of(first_sentence(program.meaning)) + ".SH SYNOPSIS\n" + usage + ".SH DESCRIPTION\n" +
            line_of(program.meaning) + ".SH OPTIONS\n" + list_of(program.positionals) +
            list_of(program.options) + commands_of(program) +

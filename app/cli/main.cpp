@@ -74,7 +74,7 @@ int run(int argc, char** argv) {
                          ": no value follows the \"=\" (pastoso-cli --help shows what there is).");
     CLI::App app("Paints with thick wet paint, without a screen.", "pastoso-cli");
     app.set_version_flag("--version", std::string("pastoso-cli ") + core::version());
-    arguments::add_descriptions(app, core::version());
+    arguments::add_descriptions(app, {core::version(), core::version_date()});
     app.require_subcommand(1);
     add_replay(app, replay);
     add_sheet(app, sheet);

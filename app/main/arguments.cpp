@@ -37,7 +37,7 @@ ParsedArguments parse_arguments(int argc, char** argv) {
     CLI::App app("Paint with thick wet paint. Without a file, an easel stands ready to paint on.",
                  "pastoso");
     app.set_version_flag("--version", std::string("pastoso ") + core::version());
-    arguments::add_descriptions(app, core::version());
+    arguments::add_descriptions(app, {core::version(), core::version_date()});
     app.add_option(
         "file", arguments.file,
         "A painting (.pastoso) to go on with, a picture to begin with, or a recording (.json) to replay "

@@ -1,6 +1,7 @@
 // What the programs tell of their command lines: to man(1), and to the shells that complete them.
 #include "cli/help_page.hpp"
 #include "cli/run_program.hpp"
+#include "core/version.hpp"
 
 #include <algorithm>
 
@@ -73,6 +74,12 @@ TEST_F(CliDescriptions, ThePageHasEveryCommandAndOption) {
         for (const Option& option : options_of(command))
             EXPECT_THAT(part, HasSubstr("\\fB" + escaped(option.name) + "\\fR")) << joined(command);
     }
+}
+
+TEST_F(CliDescriptions, ThePageTellsWhatItIsOf) {
+    EXPECT_THAT(described("--man"),
+                testing::StartsWith(".TH PASTOSO\\-CLI 1 \"" + std::string(core::version_date()) +
+                                    "\" \"Pastoso " + core::version() + "\""));
 }
 
 TEST_F(CliDescriptions, ManReadsThePage) {
