@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Tries the archive that packaging/archive.sh made in bare systems without Qt, Debian 12 and the newer Debian 13: paints an
-# example without a window, opens the window on X11 and on Wayland, draws with a pen that presses, and tells which libraries
-# it took from the system. As root; takes some minutes.
+# Tries the archive that packaging/archive.sh made in bare systems without Qt, Debian 12 and the newer Debian 13: looks for
+# the licences of all that it carries, paints an example without a window, opens the window on X11 and on Wayland, draws with
+# a pen that presses, and tells which libraries it took from the system. As root; takes some minutes.
 #
 # Usage: packaging/archive-try.sh [FOLDER]
 #   FOLDER   where the archive is; build/packages otherwise
@@ -29,6 +29,18 @@ make_system() {
     inside sh -c 'dpkg -l | grep -i "^ii *libqt" && exit 1 || exit 0' || fail "the bare system has Qt."
     zstd -q -d -c "${archives[0]}" | tar -x -C "$bare/opt"
     cp -r -- "$root/tests/tablet" "$tablet/modules" "$tablet/weston_tablet.so" "$bare/opt/"
+}
+
+# Of what the archive carries of others.
+check_licences() {
+    local archive="$bare${program%/bin}" library package
+    say "Looking for licences"
+    (cd "$archive" && find lib -name '*.so*' ! -path 'lib/pastoso/*' | sort) >"$bare/tmp/carried"
+    [[ -s $bare/tmp/carried ]] || fail "the archive carries no library."
+    while read -r library; do
+        package="$(awk -v file="$library" '$1 == file { print $2 }' "$archive/licences/README")"
+        [[ -n $package && -s $archive/licences/$package ]] || fail "the archive carries $library without its licence."
+    done <"$bare/tmp/carried"
 }
 
 paint() {
@@ -64,6 +76,7 @@ tell_what_is_taken() {
 build_preset ci -DPASTOSO_BUILD_TESTS=ON -- tablet_driver weston_tablet
 for system in bookworm trixie; do
     make_system "$system"
+    check_licences
     paint
     open_windows "$system"
     press_pen "$system"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes one archive that runs where nothing of Pastoso's is installed, with its own Qt: unpack it and start bin/pastoso. It
-# takes from the system the C and C++ libraries, the graphics drivers and what these use, and fonts (docs/packaging.md).
+# takes from the system the C and C++ libraries, the graphics drivers and what these use, and fonts (docs/packaging.md). The
+# folder licences holds those of all that it carries of others.
 #
 # Usage: packaging/archive.sh [FOLDER]
 #   FOLDER   where to leave pastoso-VERSION-linux-ARCHITECTURE.tar.zst; build/packages otherwise
@@ -36,16 +37,64 @@ plugins=(iconengines imageformats/libqsvg.so imageformats/libqjpeg.so platformin
     platforms/libqoffscreen.so platforms/libqwayland-egl.so platforms/libqwayland-generic.so wayland-decoration-client
     wayland-graphics-integration-client wayland-shell-integration xcbglintegrations)
 
+# The package of Debian that a file of the system is of. Some packages know it by where it was before /lib became a part of /usr.
+package_of() {
+    local file found
+    file="$(realpath -- "$1")"
+    found="$(dpkg -S "$file" "${file#/usr}" 2>/dev/null | grep -v '^diversion' | head -n 1)" || true
+    [[ -n $found ]] || fail "$1 is of no package, so that its licence cannot be found."
+    printf '%s\n' "${found%%[:,]*}"
+}
+
+# add_licence FILE PLACE: the licence of the package that a file of the system is of, which is at that place in the archive.
+add_licence() {
+    local package text
+    package="$(package_of "$1")" || exit 1
+    text="/usr/share/doc/$package/copyright"
+    [[ -s $text ]] || fail "$1 is of the package $package, which has no $text."
+    cp -L -- "$text" "$tree/licences/$package"
+    # shellcheck disable=SC2016  # dpkg-query expands it
+    dpkg-query -W -f "$2 $package "'${source:Package} ${source:Version}\n' "$package" >>"$scratch/carried"
+}
+
+# carry FILE FOLDER: a file of the system into a folder of the archive, and its licence.
+carry() {
+    mkdir -p "$tree/$2"
+    cp -L -- "$1" "$tree/$2/"
+    add_licence "$1" "$2/$(basename -- "$1")"
+}
+
+# Of libraries that are no files of the archive, as they are all headers.
+add_licences_of_headers() {
+    local header
+    for header in glm/glm.hpp nlohmann/json.hpp CLI/CLI.hpp; do add_licence "/usr/include/$header" bin; done
+}
+
+# With the texts that licences of Debian point to.
+write_licences() {
+    cp -r -- /usr/share/common-licenses "$tree/licences/"
+    cp -- "$root/LICENSE" "$tree/licences/pastoso"
+    {
+        printf '%s\n' "Pastoso is free software under the licence in the file \"pastoso\". What this archive carries of others is listed below: the" \
+            "file, the package of Debian 12 that it was taken from, and the source package with its version. The file of the package's" \
+            "name has its licence. Licences that are named there as /usr/share/common-licenses are in common-licenses. All sources are" \
+            "at https://snapshot.debian.org." ""
+        sort -u "$scratch/carried"
+    } >"$tree/licences/README"
+}
+
 add_plugins() {
-    local plugin from
+    local plugin from file
     from="$(qmake6 -query QT_INSTALL_PLUGINS)"
     for plugin in "${plugins[@]}"; do
         [[ -e $from/$plugin ]] || fail "there is no $from/$plugin; it is what Qt opens windows and pictures with."
-        mkdir -p "$tree/lib/qt6/plugins/$(dirname -- "$plugin")"
-        cp -r -- "$from/$plugin" "$tree/lib/qt6/plugins/$(dirname -- "$plugin")/"
+        find "$from/$plugin" -type f | while read -r file; do
+            carry "$file" "lib/qt6/plugins/$(realpath --relative-to="$from" "$(dirname -- "$file")")"
+        done
     done
     mkdir -p "$tree/share/qt6"
     cp -r -- "$(qmake6 -query QT_INSTALL_TRANSLATIONS)" "$tree/share/qt6/translations"
+    add_licence "$(qmake6 -query QT_INSTALL_TRANSLATIONS)/qtbase_ja.qm" share/qt6/translations
     printf '[Paths]\nPrefix=..\nPlugins=lib/qt6/plugins\nTranslations=share/qt6/translations\n' >"$tree/bin/qt.conf"
 }
 
@@ -54,7 +103,7 @@ programs_and_plugins() { find "$tree/bin" "$tree/lib" -type f \( -name '*.so*' -
 add_libraries() {
     local file library
     for file in $(programs_and_plugins); do libraries_of "$file"; done | sort -u | while read -r library; do
-        cp -L -- "$library" "$tree/lib/"
+        carry "$library" lib
     done
 }
 
@@ -92,12 +141,15 @@ name="pastoso-$("$built/bin/pastoso-cli" --version | grep -o '[0-9][0-9.]*')-lin
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "$scratch"' EXIT
 tree="$scratch/$name"
+mkdir -p "$tree/licences"
 say "Gathering"
 for component in cli window; do
     cmake --install "$built" --component "$component" --prefix "$tree" --strip >"$scratch/log" || fail "cmake --install failed: $(cat "$scratch/log")"
 done
 add_plugins
 add_libraries
+add_licences_of_headers
+write_licences
 find_libraries_beside
 check_versions
 say "Packing; it needs nothing newer than ${newest_needed[*]}"
