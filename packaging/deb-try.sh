@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tries the packages that packaging/deb.sh made, in a bare Debian 12 of their own: checks them with lintian, installs
 # them, follows the links of the manual, paints an example without and with a window and from Python, builds a program with the
-# engine, removes them, and tells their sizes. As root; takes some minutes.
+# engine and each part of it alone, removes them, and tells their sizes. As root; takes some ten minutes.
 #
 # Usage: packaging/deb-try.sh [FOLDER]
 #   FOLDER   where the packages are; build/packages otherwise
@@ -57,6 +57,12 @@ inside cp -r /usr/share/doc/pastoso/example /tmp/example
 inside cmake -S /tmp/example -B /tmp/example/build
 inside cmake --build /tmp/example/build
 inside ctest --test-dir /tmp/example/build --output-on-failure
+
+say "Compiling each header alone, and linking to each library alone"
+cp -r -- "$root/packaging/engine_parts" "$bare/tmp/"
+inside cmake -S /tmp/engine_parts -B /tmp/engine_parts/build >/dev/null
+inside cmake --build /tmp/engine_parts/build --parallel "$(nproc)" >/dev/null ||
+    fail "a header or a library needs what it does not bring along; see above."
 
 say "Removing"
 inside apt-get -q -y purge pastoso pastoso-cli pastoso-doc libpastoso-dev python3-pastoso
