@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Tries the packages that packaging/deb.sh made, in a bare Debian 12 of their own: checks them with lintian, installs
-# them, follows the links of the manual, paints an example without and with a window and from Python, builds a program with the
-# engine and each part of it alone, removes them, and tells their sizes. As root; takes some ten minutes.
+# Tries the packages that packaging/deb.sh made, in a bare Debian 12 of their own: checks them with lintian, installs them,
+# tells how long it takes to the first stroke, follows the links of the manual, paints an example without and with a window
+# and from Python, builds a program with the engine and each part of it alone, removes them, and tells their sizes. As root;
+# takes some ten minutes.
 #
 # Usage: packaging/deb-try.sh [FOLDER]
 #   FOLDER   where the packages are; build/packages otherwise
@@ -25,8 +26,20 @@ lintian --allow-root --fail-on error "${packages[@]}" || fail "lintian has found
 make_bare_debian bookworm
 cp -- "${packages[@]}" "$bare/tmp/"
 
-say "Installing"
-inside sh -c 'apt-get -q -y --no-install-recommends install /tmp/*.deb xvfb xauth' || fail "the packages cannot be installed."
+# What painters wait for until they paint, once everything is fetched.
+install_window() { inside sh -c "apt-get -q -y --no-install-recommends $1 /tmp/pastoso_*.deb /tmp/pastoso-cli_*.deb"; }
+say "Installing the window"
+install_window "--download-only install" || fail "what the window needs cannot be fetched."
+SECONDS=0
+install_window install || fail "the window cannot be installed."
+installed_s=$SECONDS
+inside apt-get -q -y --no-install-recommends install xvfb xauth xdotool >/dev/null
+cp -- "$root/packaging/first-stroke.sh" "$bare/tmp/"
+say "The first stroke, after $installed_s s of installing:"
+inside xvfb-run -a -s '-screen 0 1600x1200x24' /tmp/first-stroke.sh pastoso || fail "what is installed does not paint."
+
+say "Installing the rest"
+inside sh -c 'apt-get -q -y --no-install-recommends install /tmp/*.deb' || fail "the packages cannot be installed."
 for package in pastoso pastoso-cli pastoso-doc libpastoso-dev python3-pastoso; do
     # shellcheck disable=SC2016  # dpkg-query expands it
     say "$package: $(inside dpkg-query -W -f '${Installed-Size}' "$package") KiB installed, $(stat -c %s "$folder/${package}"_*.deb) bytes packed"
