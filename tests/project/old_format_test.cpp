@@ -138,6 +138,34 @@ TEST_F(OldFormat, TenHasNothingCopied) {
     EXPECT_EQ(document::state_hash(old.painting), 0xfe38c0fb5154b002U);
 }
 
+/// A stroke was copied before a second one was painted.
+TEST_F(OldFormat, ElevenHasWhatWasCopiedAndNothingMasked) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-11.pastoso"), pool);
+    ASSERT_NE(old.painting.value.copied, nullptr);
+    EXPECT_EQ(film::totals(*old.painting.value.copied).thickness, 6516500468);
+    EXPECT_EQ(old.painting.value.masking, document::Masking{});
+    EXPECT_EQ(old.painting.value.references, nullptr);
+    EXPECT_FALSE(old.painting.value.layers.layers[0].look.bare_locked);
+    EXPECT_EQ(document::state_hash(old.painting), 0xf91419c9afe237ecU);
+}
+
+/// A stripe of 3 mm was masked from edge to edge, 12 by 40 cells, when there was no telling of what.
+TEST_F(OldFormat, TwelveIsMaskedByFluidAndNotClipped) {
+    const LoadedProject old = load_project(tests::source_file("tests/project/format-12.pastoso"), pool);
+    const document::PaintingValue& value = old.painting.value;
+    ASSERT_TRUE(value.masking.cells);
+    EXPECT_EQ(grid::chosen_cells(*value.masking.cells), 480);
+    EXPECT_FALSE(value.masking.tape);
+    EXPECT_TRUE(value.layers.layers[0].look.bare_locked);
+    EXPECT_FALSE(value.layers.layers[0].look.clipped);
+    ASSERT_NE(value.references, nullptr);
+    ASSERT_EQ(value.references->references.size(), 1U);
+    const document::Reference& red = value.references->references.front();
+    EXPECT_EQ(red.place, (document::ReferencePlace{40.0, 30.0, 60.0, 15.0, true}));
+    EXPECT_EQ(red.look, (document::ReferenceLook{0.5, true}));
+    EXPECT_EQ(film::state_hash(value.film), 0x01d1850b9af4a24eU);
+}
+
 /// Its brush was dipped before dips gathered hairs, and tells a tool of those days.
 TEST_F(OldFormat, FiveHasABrushThatIsAsItWasMade) {
     const LoadedProject old = load_project(tests::source_file("tests/project/format-5.pastoso"), pool);
