@@ -164,13 +164,11 @@ void add_tank(py::module_& module) {
              "dtype: uint8, as a screen shall show it, sRGB; or float32, the radiance in linear light.\n"
              "samples: paths for a pixel; denoise: takes the noise of these out. Ctrl+C stops it.")
         .def("surface_arrays", &surface, py::arg("parts") = 2,
-             "What surface() is made of, as Mesh tells it: m, float32 (vertices, 3); float32 (vertices, "
-             "3) or\n"
-             "None; uint32 (triangles, 3).")
+             "What surface() is made of, as in Mesh: m, float32 (vertices, 3); the same or None;\n"
+             "uint32 (triangles, 3).")
         .def("solid_arrays", &solids, py::arg("parts") = 3,
-             "What solids() is made of, as Mesh tells it: m, float32 (vertices, 3); float32 (vertices, "
-             "3) or\n"
-             "None; uint32 (triangles, 3).")
+             "What solids() is made of, as in Mesh: m, float32 (vertices, 3); the same or None;\n"
+             "uint32 (triangles, 3).")
         .def(
             "open_drains",
             [](TankWork& work, bool open) { work.turn.take([&] { work.tank.open_drains(open); }); },

@@ -170,14 +170,11 @@ void add_tea(py::module_& module) {
              "that has not dissolved, \"medium\", as a share of the liquid, or \"surface\", as a body.\n"
              "Ctrl+C stops it.")
         .def("surface_arrays", &surface, py::arg("parts") = 2,
-             "What surface() is made of, as Mesh tells it: m, float32 (vertices, 3); float32 (vertices, "
-             "3) or\n"
-             "None; uint32 (triangles, 3).")
+             "What surface() is made of, as in Mesh: m, float32 (vertices, 3); the same or None;\n"
+             "uint32 (triangles, 3).")
         .def("cup_arrays", &cup,
-             "What cup() is made of, by name, as Mesh tells it: m, float32 (vertices, 3); float32 "
-             "(vertices, "
-             "3) or\n"
-             "None; uint32 (triangles, 3).")
+             "What cup() is made of, by name, as in Mesh: m, float32 (vertices, 3); the same or None;\n"
+             "uint32 (triangles, 3).")
         .def(
             "pour_by_hand",
             [](TeaWork& work, std::optional<std::array<float, 2>> at_m) {
