@@ -7,8 +7,10 @@
 #include "trace/path.hpp"
 #include "trace/photons.hpp"
 #include "trace/stoppable.hpp"
+#include "trace/tile_errors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -18,18 +20,28 @@
 namespace pastoso::trace {
 namespace {
 
-constexpr int kTile = 16;
 constexpr int kLongestSide = 16384;
 
 /// From so many samples on, a tile is looked at after every so many more: once it is clean enough it
 /// gets no others.
 constexpr int kFewestSamples = 16, kSamplesBetweenLooks = 8;
-/// The error of a clean tile's pixels, root mean square, against their mean and what the eye takes for
-/// black. The denoiser takes out most of it.
-constexpr double kCleanError = 0.06, kBlack = 0.05;
+/// The error of a clean tile. The denoiser takes out most of it.
+constexpr double kCleanError = 0.06;
+
+/// A block that the outline of something passes, a glass's lip for example: the direction of the first
+/// surface differs from pixel to pixel by so much, squared. The denoiser finds little like it around, so
+/// that it gets samples besides after each look until its error is as small as that.
+constexpr float kOutline = 0.1F;
+constexpr double kOutlineError = 0.03;
+constexpr int kOutlineSamples = 64, kMostOutlineRounds = 12;
+static_assert(kOutlineSamples % 2 == 0);
 
 /// What is summed for a pixel, over its samples of even or of odd number: linear colour and features.
 constexpr int kSums = 3 + kFeatures;
+/// The first of a direction's three.
+constexpr int kDirectionSum = 6;
+
+using BlockSamples = std::array<int, kBlocks>;
 
 void check_settings(const TraceSettings& settings) {
     for (const int side : {settings.width, settings.height})
@@ -63,7 +75,9 @@ struct PathTracer::State {
           tile_samples(static_cast<std::size_t>(tiles_across) *
                            static_cast<std::size_t>((settings.height + kTile - 1) / kTile),
                        0),
+          outline_samples(tile_samples.size()),
           tile_wanted(tile_samples.size(), 0),
+          is_clean(tile_samples.size(), 0),
           tile_rays(tile_samples.size(), 0) {
         const std::size_t pixels =
             static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
@@ -75,7 +89,10 @@ struct PathTracer::State {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.width) +
                static_cast<std::size_t>(x);
     }
-    int samples_at(int x, int y) const { return tile_samples[x / kTile + y / kTile * tiles_across]; }
+    int samples_at(int x, int y) const {
+        const int tile = x / kTile + y / kTile * tiles_across;
+        return tile_samples[tile] + outline_samples[tile][block_of(x, y)];
+    }
 
     template <class Body>
     void for_each_pixel(const Body& body) const {
@@ -123,37 +140,82 @@ struct PathTracer::State {
     void bring_tile(std::size_t tile, int wanted) {
         std::uint64_t rays = 0;
         int& taken = tile_samples[tile];
-        while (taken < wanted && !is_clean(tile)) {
+        while (taken < wanted && is_clean[tile] == 0) {
             const int next = std::min(wanted, (taken / kSamplesBetweenLooks + 1) * kSamplesBetweenLooks);
-            for_tile(tile, [&](int x, int y) {
-                for (int sample = taken; sample < next; ++sample)
-                    add_sample(x, y, sample, rays);
-            });
+            for_tile(tile, [&](int x, int y) { add_samples(x, y, next - taken, rays); });
             taken = next;
+            if (taken >= kFewestSamples && taken % kSamplesBetweenLooks == 0) look_at(tile, rays);
         }
         tile_wanted[tile] = std::max(tile_wanted[tile], wanted);
         tile_rays[tile] += rays;
     }
 
-    /// The halves of a pixel's samples differ by twice the error of its mean, on the average.
-    bool is_clean(std::size_t tile) const {
-        const int taken = tile_samples[tile];
-        if (taken < kFewestSamples || taken % kSamplesBetweenLooks != 0) return false;
-        double squares = 0.0, sum = 0.0;
-        int pixels = 0;
+    void add_samples(int x, int y, int count, std::uint64_t& rays) {
+        const int first = samples_at(x, y);
+        for (int sample = first; sample < first + count; ++sample)
+            add_sample(x, y, sample, rays);
+    }
+
+    /// Finds out whether a tile is clean, and adds to its outlines: once, or all they need where nobody
+    /// looks again.
+    void look_at(std::size_t tile, std::uint64_t& rays) {
+        is_clean[tile] = errors_of(tile).tile.error() < kCleanError ? 1 : 0;
+        bool is_short = true;
+        for (int round = 0; is_short && round < (is_clean[tile] != 0 ? kMostOutlineRounds : 1); ++round)
+            is_short = add_to_outlines(tile, rays);
+    }
+
+    /// Whether there was an outline that needed it.
+    bool add_to_outlines(std::size_t tile, std::uint64_t& rays) {
+        const BlockSamples more = missing_samples(tile);
+        for_tile(tile, [&](int x, int y) { add_samples(x, y, more[block_of(x, y)], rays); });
+        for (int block = 0; block < kBlocks; ++block)
+            outline_samples[tile][block] += more[block];
+        return std::any_of(more.begin(), more.end(), [](int samples) { return samples > 0; });
+    }
+
+    BlockSamples missing_samples(std::size_t tile) const {
+        const TileErrors errors = errors_of(tile);
+        BlockSamples missing{};
+        for_tile(tile, [&](int x, int y) {
+            const int block = block_of(x, y);
+            const bool is_noisy = errors.blocks[block].error() > kOutlineError;
+            if (is_noisy && (turns(tile, x, y, x + 1, y) || turns(tile, x, y, x, y + 1)))
+                missing[block] = kOutlineSamples;
+        });
+        return missing;
+    }
+
+    /// Whether the direction of the first surface differs between two pixels of a tile.
+    bool turns(std::size_t tile, int x, int y, int x2, int y2) const {
+        if (x2 >= settings.width || y2 >= settings.height) return false;
+        if (static_cast<std::size_t>(x2 / kTile + y2 / kTile * tiles_across) != tile) return false;
+        const std::size_t at = pixel_index(x, y) * kSums, at2 = pixel_index(x2, y2) * kSums;
+        const float share = 1.0F / static_cast<float>(samples_at(x, y));
+        const float share2 = 1.0F / static_cast<float>(samples_at(x2, y2));
+        float squares = 0.0F;
+        for (int k = kDirectionSum; k < kDirectionSum + 3; ++k) {
+            const float difference = share * (sums[0][at + k] + sums[1][at + k]) -
+                                     share2 * (sums[0][at2 + k] + sums[1][at2 + k]);
+            squares += difference * difference;
+        }
+        return squares > kOutline;
+    }
+
+    TileErrors errors_of(std::size_t tile) const {
+        TileErrors errors;
         for_tile(tile, [&](int x, int y) {
             const std::size_t at = pixel_index(x, y) * kSums;
+            const double share = 1.0 / (3.0 * samples_at(x, y));
             const auto brightness = [&](int half) {
                 const float* rgb = sums[half].data() + at;
-                return static_cast<double>(rgb[0] + rgb[1] + rgb[2]) / 3.0;
+                return static_cast<double>(rgb[0] + rgb[1] + rgb[2]) * share;
             };
-            const double difference = brightness(0) - brightness(1);
-            squares += difference * difference;
-            sum += brightness(0) + brightness(1);
-            ++pixels;
+            const double even = brightness(0), odd = brightness(1);
+            errors.tile.add(even, odd);
+            errors.blocks[block_of(x, y)].add(even, odd);
         });
-        const double error = std::sqrt(squares / pixels) / taken, mean = sum / (taken * pixels);
-        return error < kCleanError * (mean + kBlack);
+        return errors;
     }
 
     /// The mean over the even or the odd samples; with one sample alone, both are that one.
@@ -181,8 +243,10 @@ struct PathTracer::State {
     bool has_maps = false;
     CameraRays camera;
     int tiles_across;
-    std::vector<int> tile_samples;  ///< of each pixel of a tile
-    std::vector<int> tile_wanted;   ///< the same, had none been clean before
+    std::vector<int> tile_samples;              ///< of each pixel of a tile
+    std::vector<BlockSamples> outline_samples;  ///< of each pixel of a tile's blocks, besides
+    std::vector<int> tile_wanted;               ///< as tile_samples, had none been clean before
+    std::vector<char> is_clean;
     std::vector<std::uint64_t> tile_rays;
     std::vector<float> sums[2];
 };

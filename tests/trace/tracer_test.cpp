@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "trace/approved_glass.hpp"
 #include "trace/scenes.hpp"
+#include "trace/tile_errors.hpp"
 
 #include <cmath>
 #include <limits>
@@ -84,6 +85,44 @@ TEST(PathTracer, PassesAddUpToTheBitsOfOnePass) {
     EXPECT_EQ(at_once.denoised(), in_passes.denoised());
     EXPECT_EQ(at_once.rays(), in_passes.rays());
     EXPECT_EQ(in_passes.samples(), 7);
+}
+
+TEST(PathTracer, LooksAtTilesDoNotDependOnPasses) {
+    const Scene scene = tests::busy_glass();
+    core::ThreadPool pool(1);
+    PathTracer at_once(scene, tests::small_picture(24), pool);
+    PathTracer in_passes(scene, tests::small_picture(24), pool);
+    at_once.add_samples(27);
+    for (const int count : {15, 3, 9})
+        in_passes.add_samples(count);
+    EXPECT_EQ(at_once.radiance(), in_passes.radiance());
+    EXPECT_EQ(at_once.rays(), in_passes.rays());
+}
+
+TEST(PathTracer, OutlinesGetSamplesBesidesAtALook) {
+    core::ThreadPool pool(1);
+    const auto rays = [&](const Scene& scene, int samples) {
+        PathTracer tracer(scene, tests::small_picture(48), pool);
+        tracer.add_samples(0);
+        const std::uint64_t before = tracer.rays();
+        tracer.add_samples(samples);
+        return static_cast<double>(tracer.rays() - before) / samples;
+    };
+    // The first look comes after 16.
+    EXPECT_GT(rays(tests::busy_glass(), 16), 1.1 * rays(tests::busy_glass(), 15));
+    Scene bare;
+    bare.cup.reset();
+    EXPECT_NEAR(rays(bare, 16), rays(bare, 15), 0.02 * rays(bare, 15)) << "a table is even";
+}
+
+TEST(ErrorSums, AreTheRootMeanSquareOverTheMeanAndBlack) {
+    ErrorSums sums;
+    EXPECT_EQ(sums.error(), 0.0);
+    sums.add(0.5, 0.3);
+    sums.add(0.1, 0.5);
+    // sqrt((0.04 + 0.16) / 2) / (0.7 + 0.05)
+    EXPECT_NEAR(sums.error(), 0.4216, 1e-4);
+    EXPECT_EQ(block_of(16 + 5, 32 + 11), 2 * kBlocksAcross + 1);
 }
 
 TEST(PathTracer, AStoppedPassIsMadeUpForByTheNext) {
