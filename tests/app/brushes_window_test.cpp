@@ -387,6 +387,41 @@ TEST_F(OwnBrush, IsNamedByF2InTheListAndNoLayerIs) {
     EXPECT_EQ(window().findChild<panels::LayerTree*>()->viewport()->findChild<QLineEdit*>(), nullptr);
 }
 
+TEST_F(OwnBrush, IsThrownAwayByKeysInTheListWhichClearNoLayer) {
+    stroke();
+    const double painted_mm3 = volume_mm3();
+    ASSERT_GT(painted_mm3, 0.0);
+    QApplication::setActiveWindow(&window());
+    click(QStringLiteral("Mine"));
+    ASSERT_TRUE(list().hasFocus());
+    answer_question(false);
+    QTest::keyClick(&list(), Qt::Key_Delete);
+    EXPECT_TRUE(std::filesystem::exists(file("mine.json")));
+    click(QStringLiteral("Fan 26"));
+    for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace})
+        QTest::keyClick(&list(), key);
+    EXPECT_NE(listed(QStringLiteral("Fan 26")), nullptr) << "what ships stays";
+    click(QStringLiteral("Mine"));
+    answer_question(true);
+    QTest::keyClick(&list(), Qt::Key_Backspace);
+    EXPECT_FALSE(std::filesystem::exists(file("mine.json")));
+    EXPECT_EQ(volume_mm3(), painted_mm3);
+}
+
+TEST_F(OwnBrush, IsFoundByTheDigitsOfItsNameToo) {
+    write("large.json", own_preset("Filbert 140"));
+    parts().brushes.read();
+    QApplication::setActiveWindow(&window());
+    click(QStringLiteral("Fan 26"));
+    const int interval_ms = QApplication::keyboardInputInterval();
+    QApplication::setKeyboardInputInterval(60'000);
+    QTest::keyClicks(&list(), QStringLiteral("filbert 14"));
+    EXPECT_EQ(hand().brush, "Filbert 14");
+    QTest::keyClick(&list(), Qt::Key_0);
+    EXPECT_EQ(hand().brush, "Filbert 140");
+    QApplication::setKeyboardInputInterval(interval_ms);
+}
+
 TEST_F(OwnBrush, FollowsItsFileAndSurvivesABadOne) {
     click(QStringLiteral("Mine"));
     write("mine.json", own_preset("Mine", 0.9));

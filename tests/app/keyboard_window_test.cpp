@@ -22,6 +22,7 @@
 #include "panels/canvas/tilt_dial.hpp"
 #include "panels/colour/colour_wheel.hpp"
 #include "panels/colour/picture_board.hpp"
+#include "panels/layers/layer_tree.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "panels/pen/curve_editor.hpp"
 #include "panels/pen/pen_dialog.hpp"
@@ -281,6 +282,37 @@ TEST_F(Keyboard, AListThatIsClickedHasTheKeysUntilThePointerIsOverTheCanvas) {
     QEnterEvent enter(place, place, canvas().mapToGlobal(place));
     QApplication::sendEvent(&canvas(), &enter);
     EXPECT_TRUE(canvas().hasFocus());
+}
+
+TEST_F(Keyboard, WhatRemovesAndRenamesIsForTheListThatHasTheKeys) {
+    QApplication::setActiveWindow(&window());
+    mouse_stroke(line_mm({10.0, 8.0}, {30.0, 8.0}));
+    action(Command::HistoryPanel)->trigger();
+    session().wait_until_applied();
+    const std::int64_t changes = session().status().changes;
+    ASSERT_GT(changes, 0);
+    for (QAbstractItemView* list :
+         {static_cast<QAbstractItemView*>(window().findChild<panels::BrushList*>()),
+          window().findChild<QAbstractItemView*>(QStringLiteral("paints")),
+          window().findChild<QAbstractItemView*>(QStringLiteral("history_list"))}) {
+        list->setFocus(Qt::TabFocusReason);
+        ASSERT_TRUE(list->hasFocus());
+        for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_F2})
+            QTest::keyClick(list, key);
+        session().wait_until_applied();
+        EXPECT_EQ(session().status().changes, changes) << list->accessibleName().toStdString();
+    }
+    auto* layers = window().findChild<panels::LayerTree*>();
+    EXPECT_EQ(layers->viewport()->findChild<QLineEdit*>(), nullptr) << "no layer is renamed";
+    action(Command::LayersPanel)->trigger();
+    QApplication::processEvents();
+    ASSERT_TRUE(layers->hasFocus());
+    QTest::keyClick(layers, Qt::Key_Backspace);
+    session().wait_until_applied();
+    EXPECT_EQ(session().status().changes, changes) << "no paint is poured";
+    QTest::keyClick(layers, Qt::Key_Delete);
+    session().wait_until_applied();
+    EXPECT_GT(session().status().changes, changes) << "the chosen layer is cleared";
 }
 
 TEST_F(Keyboard, ArrowsTiltTheCanvas) {

@@ -91,6 +91,8 @@ BrushJar::BrushJar(Studio& studio, panels::BrushPanel* brushes, panels::CurvesPa
     connect(brushes_, &panels::BrushPanel::rename_wanted,
             studio_.commands().action(Command::RenameBrush), &QAction::trigger);
     studio_.commands().on(Command::DeleteBrush, [this](bool) { delete_brush(); });
+    connect(brushes_, &panels::BrushPanel::removal_wanted,
+            studio_.commands().action(Command::DeleteBrush), &QAction::trigger);
     connect(curves_, &panels::CurvesPanel::edited, this, [this](const brush::Preset& preset) {
         studio_.easel().change_brush(preset);
         studio_.show_hand();

@@ -10,7 +10,6 @@
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QPainter>
 #include <QPixmap>
 #include <QPushButton>
@@ -55,8 +54,6 @@ MixesPart::MixesPart(QWidget* parent) : QWidget(parent), list_(new ChoiceList) {
     list_->setIconSize(kIcon);
     list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);
-    list_->installEventFilter(this);
-    keep_own_keys(list_, {Qt::Key_Delete, Qt::Key_F2});
     auto* rename = new QAction(tr("Rename"), list_);
     auto* remove = new QAction(tr("Remove"), list_);
     list_->addActions({rename, remove});
@@ -84,6 +81,7 @@ MixesPart::MixesPart(QWidget* parent) : QWidget(parent), list_(new ChoiceList) {
     connect(rename, &QAction::triggered, this, [this] { ask_name(list_->currentRow()); });
     connect(remove, &QAction::triggered, this, &MixesPart::remove_current);
     connect(remove_, &QPushButton::clicked, this, &MixesPart::remove_current);
+    connect(list_, &ChoiceList::removal_wanted, this, &MixesPart::remove_current);
     connect(keep, &QPushButton::clicked, this, &MixesPart::keep_wanted);
     connect(export_, &QPushButton::clicked, this, &MixesPart::export_wanted);
     connect(import, &QPushButton::clicked, this, &MixesPart::import_wanted);
@@ -123,15 +121,6 @@ void MixesPart::ask_name(int index) {
 
 void MixesPart::remove_current() {
     if (list_->currentRow() >= 0) Q_EMIT removal_wanted(list_->currentRow());
-}
-
-bool MixesPart::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == list_ && event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
-        remove_current();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace pastoso::panels

@@ -14,7 +14,8 @@ namespace pastoso::panels {
 
 class ChoiceList;
 
-/// A click takes one in hand. A double click or F2 gives it another name, Delete takes it away.
+/// A click takes one in hand. A double click or F2 gives it another name, Delete or Backspace takes it
+/// away.
 class MixesPart : public QWidget {
     Q_OBJECT
   public:
@@ -36,9 +37,6 @@ class MixesPart : public QWidget {
     void removal_wanted(int index);
     void export_wanted();
     void import_wanted();
-
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void remove_current();

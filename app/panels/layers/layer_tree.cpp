@@ -46,7 +46,7 @@ LayerTree::LayerTree(QWidget* parent) : QTreeView(parent) {
     header()->resizeSection(LayerModel::kBare, kLayerIconColumn);
     header()->resizeSection(LayerModel::kLock, kLayerIconColumn);
     keep_keys_for_canvas(this);
-    keep_own_keys(this, {Qt::Key_F2, Qt::Key_Space});
+    keep_own_keys(this, {Qt::Key_F2, Qt::Key_Space, Qt::Key_Backspace});
     connect(this, &QTreeView::collapsed, this,
             [this](const QModelIndex& index) { folded_.insert(model_.row_at(index).group); });
     connect(this, &QTreeView::expanded, this,

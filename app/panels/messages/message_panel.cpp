@@ -34,6 +34,7 @@ MessagePanel::MessagePanel(QWidget* parent) : QWidget(parent), list_(new QPlainT
     list_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     list_->setTabChangesFocus(true);
     list_->setFocusPolicy(Qt::StrongFocus);
+    keep_own_keys(list_, {Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_F2});
     list_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     list_->setMaximumBlockCount(kMostLines);
     list_->setPlaceholderText(tr("Nothing has been told yet."));

@@ -20,6 +20,11 @@ int places_on(int key) {
     return key == Qt::Key_Down || key == Qt::Key_Right ? 1 : 0;
 }
 
+bool removes(const QKeyEvent& event) {
+    return (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier &&
+           (event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace);
+}
+
 /// A row as high as its words are in the width of the list.
 class WrappedRow : public QStyledItemDelegate {
   public:
@@ -76,6 +81,10 @@ void ChoiceList::keyPressEvent(QKeyEvent* event) {
     const bool moves = event->modifiers().testFlag(Qt::AltModifier) &&
                        dragDropMode() == QAbstractItemView::InternalMove;
     if (moves && places_on(event->key()) != 0) return move_current(places_on(event->key()));
+    if (removes(*event)) {
+        if (currentItem() != nullptr) Q_EMIT removal_wanted(currentItem());
+        return;
+    }
     const QListWidgetItem* before = currentItem();
     QListWidget::keyPressEvent(event);
     if (currentItem() != nullptr && currentItem() != before) Q_EMIT taken(currentItem());

@@ -6,8 +6,8 @@
 namespace pastoso::panels {
 
 /// A click gives it the keyboard until the pointer is over the canvas again. Then arrows take the next
-/// entry and letters the one whose name begins with them. Names are never cut: a row is as high as its
-/// name needs in the width of the list.
+/// entry and letters the one whose name begins with them, also with digits behind them. Names are never
+/// cut: a row is as high as its name needs in the width of the list.
 class ChoiceList : public QListWidget {
     Q_OBJECT
   public:
@@ -18,7 +18,8 @@ class ChoiceList : public QListWidget {
 
   Q_SIGNALS:
     void taken(QListWidgetItem* item);
-    void arranged();  ///< the entries stand in another order
+    void arranged();                             ///< the entries stand in another order
+    void removal_wanted(QListWidgetItem* item);  ///< by Delete or Backspace
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -8,8 +8,10 @@
 
 #include <QAbstractItemView>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -23,28 +25,42 @@
 namespace pastoso::panels {
 namespace {
 
-/// Whether a list moves by this key, or to a name that begins so.
+/// Whether a list moves by this key, or its entry is renamed or removed where it can be.
 bool is_list_key(const QKeyEvent& key) {
-    constexpr std::array kMoving = {Qt::Key_Up,   Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown,
-                                    Qt::Key_Home, Qt::Key_End,  Qt::Key_Return, Qt::Key_Enter};
-    const Qt::KeyboardModifiers others = key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
-    if (others != Qt::NoModifier) return false;
-    if (std::find(kMoving.begin(), kMoving.end(), key.key()) != kMoving.end())
-        return !key.modifiers().testFlag(Qt::ShiftModifier);
-    return !key.text().isEmpty() && key.text().front().isLetter();
+    constexpr std::array kKeys = {Qt::Key_Up,     Qt::Key_Down,      Qt::Key_PageUp, Qt::Key_PageDown,
+                                  Qt::Key_Home,   Qt::Key_End,       Qt::Key_Return, Qt::Key_Enter,
+                                  Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_F2};
+    return (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier &&
+           std::find(kKeys.begin(), kKeys.end(), key.key()) != kKeys.end();
 }
 
-/// Tells Qt that keys which move in lists are no shortcuts here.
+/// Tells Qt that keys of lists, and letters by which a name is found, are no shortcuts here.
 class ListKeys : public QObject {
   public:
     using QObject::QObject;
 
     bool eventFilter(QObject* list, QEvent* event) override {
         if (event->type() != QEvent::ShortcutOverride) return QObject::eventFilter(list, event);
-        const bool own = is_list_key(*static_cast<QKeyEvent*>(event));
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool own = is_list_key(key) || is_of_name(key);
         if (own) event->accept();
         return own;
     }
+
+  private:
+    /// A name begins with a letter; digits and spaces go on with it for as long as Qt's search does.
+    bool is_of_name(const QKeyEvent& key) {
+        const Qt::KeyboardModifiers others = key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+        if (others != Qt::NoModifier || key.text().isEmpty()) return false;
+        const bool goes_on =
+            since_typed_.isValid() && !since_typed_.hasExpired(QApplication::keyboardInputInterval());
+        const QChar typed = key.text().front();
+        const bool is_typed = typed.isLetter() || (goes_on && (typed.isDigit() || typed == u' '));
+        if (is_typed) since_typed_.start();
+        return is_typed;
+    }
+
+    QElapsedTimer since_typed_;
 };
 
 /// The same of keys that are named.

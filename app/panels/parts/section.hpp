@@ -38,7 +38,7 @@ void keep_keys_for_canvas(QWidget* widget);
 void keep_own_keys(QWidget* widget, const std::vector<QKeyCombination>& keys);
 
 /// Gives a list the keyboard when it is clicked, until the pointer is over the canvas again: then arrows
-/// and the first letters of a name move in it.
+/// and the first letters of a name move in it, and F2, Delete and Backspace are for what it lists alone.
 void take_keys_of_list(QAbstractItemView* list);
 
 /// A button for an action, with its icon and its words, as wide as there is room.

@@ -32,7 +32,6 @@ QString shown_name(const BrushEntry& entry) {
 BrushList::BrushList(QWidget* parent) : ChoiceList(parent) {
     setIconSize(kThumbnailSize);
     let_arrange();
-    keep_own_keys(this, {Qt::Key_F2});
     setContextMenuPolicy(Qt::CustomContextMenu);
     connect(this, &ChoiceList::taken, this, [this](const QListWidgetItem* item) {
         if (entry_of(item) != kNoEntry) Q_EMIT entry_clicked(entry_of(item));
@@ -121,7 +120,7 @@ void BrushList::draw_thumbnail(QListWidgetItem& item) {
 }
 
 void BrushList::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_F2) return void(Q_EMIT rename_wanted());
+    if (event->key() == Qt::Key_F2 && current_entry() != kNoEntry) return void(Q_EMIT rename_wanted());
     ChoiceList::keyPressEvent(event);
 }
 

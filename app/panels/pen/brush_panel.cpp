@@ -65,6 +65,7 @@ BrushPanel::BrushPanel(const std::vector<QAction*>& own_actions, QWidget* parent
     connect(list_, &BrushList::entry_clicked, this, [this] { take_next(0); });
     connect(list_, &BrushList::thumbnail_wanted, this, &BrushPanel::want_thumbnail);
     connect(list_, &BrushList::rename_wanted, this, &BrushPanel::rename_wanted);
+    connect(list_, &BrushList::removal_wanted, this, &BrushPanel::removal_wanted);
     // Only when the list is through with the drop may its entries be made anew.
     connect(list_, &BrushList::arranged, this, &BrushPanel::tell_arranged, Qt::QueuedConnection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BrushPanel::offer_tags);

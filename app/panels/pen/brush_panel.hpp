@@ -61,6 +61,7 @@ class BrushPanel : public QWidget {
     void faulty_clicked(const QString& fault);  ///< a file that cannot be taken
     /// Of the tool in hand.
     void rename_wanted();
+    void removal_wanted();
     void width_chosen(double width_mm);
     /// These tools, which are all that are shown of `choice`, stand in another order.
     void arranged(const BrushChoice& choice, const QStringList& tools);
