@@ -23,7 +23,10 @@
 #include "panels/colour/colour_wheel.hpp"
 #include "panels/colour/picture_board.hpp"
 #include "panels/layers/layer_tree.hpp"
+#include "panels/paint/paint_panel.hpp"
+#include "panels/paint/tube_menu.hpp"
 #include "panels/pen/brush_list.hpp"
+#include "panels/pen/brush_panel.hpp"
 #include "panels/pen/curve_editor.hpp"
 #include "panels/pen/pen_dialog.hpp"
 #include "panels/references/reference_view.hpp"
@@ -31,7 +34,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
+#include <vector>
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -392,6 +397,42 @@ TEST_F(Keyboard, AToolNeedsAName) {
     });
     action(Command::SaveBrush)->trigger();
     EXPECT_TRUE(asked);
+}
+
+TEST_F(Keyboard, SoDoTagsSetsOfTubesAndWorkspaces) {
+    parts().tubes.save_set(QStringLiteral("My tubes"));
+    auto* tools = window().findChild<panels::BrushPanel*>();
+    auto& sets = window().findChild<panels::PaintPanel*>()->sets();
+    const std::vector<std::function<void()>> asks = {
+        [&] { Q_EMIT tools->new_tag_wanted(QStringLiteral("Fan 26")); },
+        [&] { Q_EMIT sets.save_wanted(); },
+        [&] { Q_EMIT sets.rename_wanted(); },
+        [&] { action(Command::SaveWorkspace)->trigger(); },
+        [&] {
+            parts().workspaces.save(QStringLiteral("Mine"));
+            action(Command::RenameWorkspace)->trigger();
+        },
+        [&] { action(Command::SaveWorkspace)->trigger(); }};
+    int asked = 0;
+    for (const auto& ask : asks) {
+        QTimer::singleShot(0, [&asked] {
+            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            ASSERT_NE(dialog, nullptr);
+            SCOPED_TRACE(dialog->windowTitle().toStdString());
+            ++asked;
+            const auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+            auto* name = dialog->findChild<QLineEdit*>();
+            EXPECT_EQ(ok->isEnabled(), !name->text().isEmpty());
+            name->setText(QStringLiteral("Sea"));
+            EXPECT_TRUE(ok->isEnabled());
+            name->setText(QStringLiteral("  "));
+            EXPECT_FALSE(ok->isEnabled());
+            dialog->reject();
+        });
+        ask();
+    }
+    EXPECT_EQ(asked, static_cast<int>(asks.size()));
+    EXPECT_EQ(parts().workspaces.workspaces().own.size(), 1U) << "none was kept besides";
 }
 
 TEST_F(Keyboard, ReachesAllOfTheSettings) {

@@ -1,6 +1,7 @@
 #include "main/paint/tube_commands.hpp"
 
 #include "core/user_data.hpp"
+#include "dialogs/name_question.hpp"
 #include "document/actions/actions.hpp"
 #include "panels/paint/paint_panel.hpp"
 #include "panels/paint/tube_menu.hpp"
@@ -11,7 +12,6 @@
 
 #include <QAction>
 #include <QFileDialog>
-#include <QInputDialog>
 #include <QMainWindow>
 
 namespace pastoso::main {
@@ -65,12 +65,12 @@ TubeCommands::TubeCommands(Studio& studio, panels::PaintPanel* tubes)
     connect(&sets, &panels::TubeMenu::export_wanted, this, &TubeCommands::ask_export);
     connect(&sets, &panels::TubeMenu::import_wanted, this, &TubeCommands::ask_import);
     connect(&sets, &panels::TubeMenu::save_wanted, this, [this] {
-        const QString name = asked_name(tr("Save the tubes as a set"), panel_->sets().chosen());
-        if (!name.isNull()) save_set(name);
+        const auto name = asked_name(tr("Save the tubes as a set"), panel_->sets().chosen());
+        if (name) save_set(*name);
     });
     connect(&sets, &panels::TubeMenu::rename_wanted, this, [this] {
-        const QString name = asked_name(tr("Rename the set"), panel_->sets().chosen());
-        if (!name.isNull()) rename_set(name);
+        const auto name = asked_name(tr("Rename the set"), panel_->sets().chosen());
+        if (name) rename_set(*name);
     });
 }
 
@@ -97,12 +97,9 @@ void TubeCommands::remember_palette() {
     palette_file_.remember([&](const auto& file) { tools::write_shelf(palette, file); });
 }
 
-/// Null where it is given up.
-QString TubeCommands::asked_name(const QString& title, const QString& name) {
-    bool accepted = false;
-    const QString typed = QInputDialog::getText(&studio_.window(), title, tr("Name of the set:"),
-                                                QLineEdit::Normal, name, &accepted);
-    return accepted ? typed.trimmed() : QString();
+std::optional<QString> TubeCommands::asked_name(const QString& title, const QString& name) {
+    return dialogs::ask_name({.title = title, .label = tr("Name of the set:"), .proposal = name},
+                             &studio_.window());
 }
 
 void TubeCommands::save_set(const QString& name) {

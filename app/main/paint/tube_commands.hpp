@@ -7,6 +7,7 @@
 #include "tools/tube_rack.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <QObject>
@@ -41,7 +42,7 @@ class TubeCommands : public QObject {
   private:
     void ask_export();
     void ask_import();
-    QString asked_name(const QString& title, const QString& name);
+    std::optional<QString> asked_name(const QString& title, const QString& name);
     void change(const std::function<void(tools::TubeRack&)>& work);
     std::vector<document::Puddle> puddles() const;
     void squeeze_out(const tools::WellPalette& palette);

@@ -6,6 +6,7 @@
 #include "core/looking.hpp"
 #include "core/text.hpp"
 #include "core/user_data.hpp"
+#include "dialogs/name_question.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "panels/pen/brush_panel.hpp"
 #include "panels/pen/curves_panel.hpp"
@@ -14,10 +15,8 @@
 #include <utility>
 
 #include <QAction>
-#include <QDialogButtonBox>
 #include <QEvent>
 #include <QImage>
-#include <QInputDialog>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
@@ -203,21 +202,9 @@ bool BrushJar::own_brush_in_hand() const {
 
 // ---- the painter's own
 
-bool BrushJar::ask_name(const QString& title, QString& name) {
-    QInputDialog dialog(&studio_.window());
-    dialog.setWindowTitle(title);
-    dialog.setLabelText(tr("Name of the tool:"));
-    dialog.setTextValue(name);
-    dialog.adjustSize();  // makes its buttons
-    const auto* buttons = dialog.findChild<QDialogButtonBox*>();
-    const auto need_name = [ok = buttons->button(QDialogButtonBox::Ok)](const QString& typed) {
-        ok->setEnabled(!typed.trimmed().isEmpty());
-    };
-    QObject::connect(&dialog, &QInputDialog::textValueChanged, &dialog, need_name);
-    need_name(name);
-    const bool accepted = dialog.exec() == QDialog::Accepted;
-    name = dialog.textValue().trimmed();
-    return accepted && !name.isEmpty();
+std::optional<QString> BrushJar::asked_name(const QString& title, const QString& name) {
+    return dialogs::ask_name({.title = title, .label = tr("Name of the tool:"), .proposal = name},
+                             &studio_.window());
 }
 
 bool BrushJar::confirmed(const QString& question, const QString& action) {
@@ -231,22 +218,24 @@ bool BrushJar::confirmed(const QString& question, const QString& action) {
 void BrushJar::save_brush() {
     const tools::Hand& hand = studio_.easel().hand();
     const QString old_name = QString::fromStdString(hand.brush);
-    QString name = own_brush_in_hand() ? old_name : tr("My %1").arg(appearance::shown_name(old_name));
-    if (!ask_name(tr("Save as my own"), name)) return;
+    const auto name =
+        asked_name(tr("Save as my own"),
+                   own_brush_in_hand() ? old_name : tr("My %1").arg(appearance::shown_name(old_name)));
+    if (!name) return;
     brush::Preset preset = tools::sized_preset_in_hand(hand);
-    preset.name = name.toStdString();
+    preset.name = name->toStdString();
     const auto* same = brush::find_entry(library_, preset.name);
     const bool in_the_way =
         (same != nullptr && same->own) || core::is_there(brush::preset_file(preset.name, folder()));
     if (in_the_way &&
-        !confirmed(tr("There is already a tool of your own named \"%1\".").arg(name), tr("Overwrite")))
+        !confirmed(tr("There is already a tool of your own named \"%1\".").arg(*name), tr("Overwrite")))
         return;
     studio_.attempt([&] {
         const std::filesystem::path file = brush::save_preset(preset, folder());
         if (same != nullptr && same->own && same->file != file) brush::delete_preset(*same);
         studio_.easel().change_brush(preset);
         read();
-        studio_.report(tr("Kept \"%1\" among your own.").arg(name));
+        studio_.report(tr("Kept \"%1\" among your own.").arg(*name));
     });
     studio_.show_hand();
 }
@@ -254,14 +243,14 @@ void BrushJar::save_brush() {
 void BrushJar::rename_brush() {
     const auto* entry = brush::find_entry(library_, studio_.easel().hand().brush);
     if (entry == nullptr || !entry->own) return;
-    QString name = QString::fromStdString(entry->preset.name);
-    if (!ask_name(tr("Rename"), name)) return;
+    const auto typed = asked_name(tr("Rename"), QString::fromStdString(entry->preset.name));
+    if (!typed) return;
     studio_.attempt([&] {
-        const std::string before = entry->preset.name;
-        brush::rename_preset(library_, *entry, name.toStdString());
-        Q_EMIT renamed(before, name.toStdString());
+        const std::string before = entry->preset.name, name = typed->toStdString();
+        brush::rename_preset(library_, *entry, name);
+        Q_EMIT renamed(before, name);
         brush::Preset preset = tools::preset_in_hand(studio_.easel().hand());
-        preset.name = name.toStdString();
+        preset.name = name;
         studio_.easel().change_brush(preset);
         read();
     });

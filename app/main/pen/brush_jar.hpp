@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <QFileSystemWatcher>
@@ -55,7 +56,7 @@ class BrushJar : public QObject {
     void save_brush();
     void rename_brush();
     void delete_brush();
-    bool ask_name(const QString& title, QString& name);
+    std::optional<QString> asked_name(const QString& title, const QString& name);
     bool confirmed(const QString& question, const QString& action);
 
     Studio& studio_;

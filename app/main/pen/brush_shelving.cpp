@@ -1,11 +1,11 @@
 #include "main/pen/brush_shelving.hpp"
 
 #include "core/user_data.hpp"
+#include "dialogs/name_question.hpp"
 #include "main/pen/brush_jar.hpp"
 #include "panels/pen/brush_panel.hpp"
 
 #include <QAction>
-#include <QInputDialog>
 #include <QMainWindow>
 
 namespace pastoso::main {
@@ -96,10 +96,9 @@ void BrushShelving::add_tags(const std::vector<tools::BrushTag>& tags) {
 }
 
 void BrushShelving::ask_tag(const QString& tool) {
-    bool accepted = false;
-    const QString typed = QInputDialog::getText(&studio_.window(), tr("New tag"), tr("Name of the tag:"),
-                                                QLineEdit::Normal, QString(), &accepted);
-    if (accepted) set_tag(tool, typed.trimmed(), true);
+    const auto name = dialogs::ask_name(
+        {.title = tr("New tag"), .label = tr("Name of the tag:"), .proposal = {}}, &studio_.window());
+    if (name) set_tag(tool, *name, true);
 }
 
 void BrushShelving::show() {

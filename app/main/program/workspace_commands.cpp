@@ -2,6 +2,7 @@
 
 #include "commands/command_words.hpp"
 #include "core/user_data.hpp"
+#include "dialogs/name_question.hpp"
 #include "main/dock_arrangement.hpp"
 #include "panels/parts/tool_bar.hpp"
 
@@ -9,7 +10,6 @@
 #include <utility>
 
 #include <QAction>
-#include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -160,20 +160,21 @@ void WorkspaceCommands::ask_save() {
         names.push_back(QString::fromStdString(own.name));
     const int in_use = static_cast<int>(names.indexOf(QString::fromStdString(workspaces_.in_use)));
     if (in_use < 0) names.push_front(QString());
-    bool agreed = false;
-    const QString name =
-        QInputDialog::getItem(&studio_.window(), tr("Save the workspace"),
-                              tr("Name of the workspace; one of your own with this name is replaced:"),
-                              names, std::max(0, in_use), true, &agreed);
-    if (agreed) save(name);
+    const auto name = dialogs::ask_name(
+        {.title = tr("Save the workspace"),
+         .label = tr("Name of the workspace; one of your own with this name is replaced:"),
+         .proposal = names[std::max(0, in_use)],
+         .choices = names},
+        &studio_.window());
+    if (name) save(*name);
 }
 
 void WorkspaceCommands::ask_rename() {
-    bool agreed = false;
-    const QString name = QInputDialog::getText(&studio_.window(), tr("Rename the workspace"),
-                                               tr("Name of the workspace:"), QLineEdit::Normal,
-                                               QString::fromStdString(workspaces_.in_use), &agreed);
-    if (agreed) rename_in_use(name);
+    const auto name = dialogs::ask_name({.title = tr("Rename the workspace"),
+                                         .label = tr("Name of the workspace:"),
+                                         .proposal = QString::fromStdString(workspaces_.in_use)},
+                                        &studio_.window());
+    if (name) rename_in_use(*name);
 }
 
 void WorkspaceCommands::remember() {
