@@ -69,6 +69,9 @@ QToolBar QToolButton { padding: 5px 7px; }
 QToolButton[popupMode="InstantPopup"] { padding-right: 20px; }
 QPushButton::menu-indicator, QToolButton::menu-indicator { image: url("<icons>/box_down.svg"); width: 9px; height: 9px; subcontrol-origin: padding; subcontrol-position: right center; right: 5px; }
 QToolButton#qt_toolbar_ext_button, QToolButton#qt_menubar_ext_button { padding: 0px; }
+QTabBar QToolButton { padding: 0px; }
+QTabBar QToolButton::left-arrow { image: url("<icons>/box_left.svg"); width: 10px; height: 10px; }
+QTabBar QToolButton::right-arrow { image: url("<icons>/box_right.svg"); width: 10px; height: 10px; }
 QFileDialog QToolButton { padding: 4px; }
 QMainWindow > QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true; }
 QToolButton:hover { background: <hovered>; }

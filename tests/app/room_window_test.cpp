@@ -1,6 +1,7 @@
 // The window on a small screen, in every language: nothing is cut, nothing lies on something else.
 #include "app/window_fixture.hpp"
 #include "appearance/shown_time.hpp"
+#include "appearance/theme.hpp"
 #include "main/program/language.hpp"
 #include "main/window_parts.hpp"
 #include "panels/paint/paint_panel.hpp"
@@ -9,9 +10,12 @@
 #include "panels/pen/brush_list.hpp"
 #include "start/start_page.hpp"
 
+#include <set>
+
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QImage>
 #include <QLabel>
 #include <QLayout>
 #include <QMenuBar>
@@ -303,6 +307,40 @@ TEST_F(RoomWindow, TheTabsOfAllPanelsKeepTheirNames) {
                 << bar->tabText(tab).toStdString();
     }
     EXPECT_GT(bars, 0);
+}
+
+/// Inside of its edges.
+int colours_in(QWidget& button) {
+    constexpr int kEdge = 3;
+    const QImage seen = button.grab().toImage();
+    std::set<QRgb> colours;
+    for (int y = kEdge; y < seen.height() - kEdge; ++y)
+        for (int x = kEdge; x < seen.width() - kEdge; ++x)
+            colours.insert(seen.pixel(x, y));
+    return static_cast<int>(colours.size());
+}
+
+TEST_F(RoomWindow, ArrowsLeadToTabsThatHaveNoRoom) {
+    for (const appearance::Theme theme : {appearance::Theme::Dark, appearance::Theme::Light}) {
+        SCOPED_TRACE(appearance::name_of(theme));
+        appearance::apply_theme(*qApp, theme);
+        QTabBar bar;
+        bar.setUsesScrollButtons(true);
+        for (int tab = 0; tab < 12; ++tab)
+            bar.addTab(QStringLiteral("Navigator"));
+        bar.setCurrentIndex(6);  // with tabs to either side
+        bar.resize(240, bar.sizeHint().height());
+        bar.show();
+        wait_until_shown(bar);
+        int arrows = 0;
+        for (auto* button : bar.findChildren<QToolButton*>()) {
+            if (!button->isVisible()) continue;
+            ++arrows;
+            EXPECT_GT(colours_in(*button), 1) << "arrow " << button->arrowType();
+        }
+        EXPECT_EQ(arrows, 2);
+    }
+    appearance::apply_theme(*qApp, appearance::Theme::Dark);
 }
 
 TEST_F(RoomWindow, TheMenuBarHasRoomForAllItsMenus) {
