@@ -11,7 +11,8 @@
 
 namespace pastoso::dialogs {
 
-CrashDialog::CrashDialog(const QString& report, const QString& file, QWidget* parent) : QDialog(parent) {
+CrashDialog::CrashDialog(const QString& report, const QString& file, QWidget* parent)
+    : GrowingDialog(parent) {
     setWindowTitle(tr("Pastoso failed the last time"));
     setObjectName(QStringLiteral("crash_dialog"));
     auto* words =
@@ -21,6 +22,7 @@ CrashDialog::CrashDialog(const QString& report, const QString& file, QWidget* pa
     words->setWordWrap(true);
     auto* text = new QPlainTextEdit(report);
     text->setObjectName(QStringLiteral("report"));
+    text->setAccessibleName(tr("Report"));
     text->setReadOnly(true);
     text->setLineWrapMode(QPlainTextEdit::NoWrap);
     text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -1,11 +1,11 @@
 // Shows the report that the run before left when it failed.
 #pragma once
 
-#include <QDialog>
+#include "dialogs/growing_dialog.hpp"
 
 namespace pastoso::dialogs {
 
-class CrashDialog : public QDialog {
+class CrashDialog : public GrowingDialog {
     Q_OBJECT
   public:
     /// `file` is where the report lies.

@@ -36,7 +36,7 @@ class PlainNumber : public QDoubleSpinBox {
 
 ExportDialog::ExportDialog(ExportSubject subject, const tools::ExportSettings& settings,
                            std::filesystem::path proposal, bool may_replace, QWidget* parent)
-    : QDialog(parent),
+    : GrowingDialog(parent),
       subject_(std::move(subject)),
       settings_(settings),
       proposal_(std::move(proposal)),
@@ -147,6 +147,7 @@ QWidget* ExportDialog::make_size_row() {
     width_->setObjectName(QStringLiteral("width"));
     width_->setSuffix(tr(" px wide"));
     width_->setToolTip(tr("The width that the scale comes to, or the scale that gives this width"));
+    width_->setAccessibleName(tr("Width of the picture in pixels"));
     connect(width_, &QSpinBox::valueChanged, this, [this](int width_px) {
         settings_.scale = static_cast<double>(width_px) / cells_across();
         const QSignalBlocker quiet(scale_);

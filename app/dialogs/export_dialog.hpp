@@ -2,12 +2,11 @@
 #pragma once
 
 #include "dialogs/export_summary.hpp"
+#include "dialogs/growing_dialog.hpp"
 #include "tools/export_settings.hpp"
 
 #include <filesystem>
 #include <map>
-
-#include <QDialog>
 
 class QCheckBox;
 class QComboBox;
@@ -21,7 +20,7 @@ class QSpinBox;
 
 namespace pastoso::dialogs {
 
-class ExportDialog : public QDialog {
+class ExportDialog : public GrowingDialog {
     Q_OBJECT
   public:
     /// `proposal` is a whole path whose ending does not count. Where `may_replace`, it stays the name

@@ -5,7 +5,8 @@
 
 namespace pastoso::dialogs {
 
-/// Grows when what it says becomes longer; it does not shrink again, so that its buttons stay where the
+/// As high as it needs when it comes up, whatever share of a low screen that is, and grows when what it
+/// says becomes longer; it does not shrink again, so that its buttons stay where the
 /// hand has found them.
 class GrowingDialog : public QDialog {
     Q_OBJECT

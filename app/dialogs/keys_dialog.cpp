@@ -40,7 +40,7 @@ QString name_in_menu(Command command) {
 }  // namespace
 
 KeysDialog::KeysDialog(KeyBindings bindings, QWidget* parent)
-    : QDialog(parent), bindings_(std::move(bindings)) {
+    : GrowingDialog(parent), bindings_(std::move(bindings)) {
     setWindowTitle(tr("Keys"));
     setObjectName(QStringLiteral("keys_dialog"));
     auto* column = new QVBoxLayout(this);
@@ -65,6 +65,7 @@ QWidget* KeysDialog::make_head() {
     row->setContentsMargins(0, 0, 0, 0);
     sets_ = new QComboBox;
     sets_->setObjectName(QStringLiteral("sets"));
+    sets_->setAccessibleName(tr("Set of keys"));
     for (const commands::KeySetText& set : commands::key_sets()) {
         sets_->addItem(QCoreApplication::translate("Keys", set.words), static_cast<int>(set.set));
         sets_->setItemData(sets_->count() - 1, QCoreApplication::translate("Keys", set.hint),
@@ -79,6 +80,7 @@ QWidget* KeysDialog::make_head() {
     typed_ = new QLineEdit;
     typed_->setObjectName(QStringLiteral("typed"));
     typed_->setPlaceholderText(tr("Find by words, or by keys such as Ctrl+J"));
+    typed_->setAccessibleName(typed_->placeholderText());
     typed_->setClearButtonEnabled(true);
     connect(typed_, &QLineEdit::textChanged, this, &KeysDialog::filter);
     row->addWidget(sets_);
@@ -89,6 +91,7 @@ QWidget* KeysDialog::make_head() {
 QWidget* KeysDialog::make_tree() {
     tree_ = new QTreeWidget;
     tree_->setObjectName(QStringLiteral("commands"));
+    tree_->setAccessibleName(tr("Commands"));
     tree_->setColumnCount(2);
     tree_->setHeaderHidden(true);
     tree_->setRootIsDecorated(false);

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "commands/key_bindings.hpp"
+#include "dialogs/growing_dialog.hpp"
 
 #include <functional>
 #include <map>
-
-#include <QDialog>
 
 class QComboBox;
 class QHBoxLayout;
@@ -20,7 +19,7 @@ namespace pastoso::dialogs {
 
 class KeyCatcher;
 
-class KeysDialog : public QDialog {
+class KeysDialog : public GrowingDialog {
     Q_OBJECT
   public:
     explicit KeysDialog(commands::KeyBindings bindings, QWidget* parent = nullptr);

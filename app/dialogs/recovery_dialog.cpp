@@ -21,7 +21,7 @@ constexpr int kPicture_px = 96;
 
 RecoveryDialog::RecoveryDialog(std::vector<journal::Unfinished> paintings, QWidget* parent,
                                Confirm confirm)
-    : QDialog(parent),
+    : GrowingDialog(parent),
       paintings_(std::move(paintings)),
       confirm_(std::move(confirm)),
       list_(new QListWidget),
@@ -31,6 +31,7 @@ RecoveryDialog::RecoveryDialog(std::vector<journal::Unfinished> paintings, QWidg
     layout->setContentsMargins(18, 18, 18, 14);
     layout->setSpacing(9);
     layout->addWidget(new QLabel(tr("Pastoso ended before these were saved.")));
+    list_->setAccessibleName(windowTitle());
     list_->setIconSize({kPicture_px, kPicture_px});
     list_->setMinimumSize(420, 260);
     layout->addWidget(list_);

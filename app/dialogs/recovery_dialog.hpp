@@ -1,13 +1,12 @@
 // Offers the paintings that a program left unfinished.
 #pragma once
 
+#include "dialogs/growing_dialog.hpp"
 #include "dialogs/unfinished_pictures.hpp"
 #include "journal/recovery.hpp"
 
 #include <functional>
 #include <vector>
-
-#include <QDialog>
 
 class QLabel;
 class QListWidget;
@@ -16,7 +15,7 @@ class QPushButton;
 namespace pastoso::dialogs {
 
 /// Accepted: the chosen painting is wanted back. Rejected: not now; all of them stay.
-class RecoveryDialog : public QDialog {
+class RecoveryDialog : public GrowingDialog {
     Q_OBJECT
   public:
     /// Asked before a painting is given up for good.

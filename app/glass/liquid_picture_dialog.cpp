@@ -44,7 +44,7 @@ QSpinBox* number(const char* name, int least, int most, int value, const QString
 }  // namespace
 
 LiquidPictureDialog::LiquidPictureDialog(LiquidPictureWords words, Subject subject, QWidget* parent)
-    : QDialog(parent), words_(std::move(words)), subject_(std::move(subject)) {
+    : dialogs::GrowingDialog(parent), words_(std::move(words)), subject_(std::move(subject)) {
     setObjectName(words_.name);
     setWindowTitle(words_.title);
     picture_ = new QLabel(words_.hint);

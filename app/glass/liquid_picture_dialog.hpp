@@ -1,13 +1,13 @@
 // A picture of a liquid by the light's true ways: how large, how fine, and what becomes of it.
 #pragma once
 
+#include "dialogs/growing_dialog.hpp"
 #include "pigment/image.hpp"
 #include "session/liquid_picture.hpp"
 
 #include <functional>
 #include <memory>
 
-#include <QDialog>
 #include <QImage>
 #include <QSize>
 #include <QString>
@@ -28,7 +28,7 @@ struct LiquidPictureWords {
     bool has_milk_body = true;  ///< there is milk that has not dissolved
 };
 
-class LiquidPictureDialog : public QDialog {
+class LiquidPictureDialog : public dialogs::GrowingDialog {
     Q_OBJECT
   public:
     /// What is to be seen: without a scene there is nothing to render. Size, samples and body are the

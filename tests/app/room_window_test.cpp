@@ -8,12 +8,14 @@
 #include "panels/parts/gallery.hpp"
 #include "panels/parts/tool_bar.hpp"
 #include "panels/pen/brush_list.hpp"
+#include "panels/pen/pen_dialog.hpp"
 #include "start/start_page.hpp"
 
 #include <set>
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QImage>
 #include <QLabel>
@@ -219,6 +221,26 @@ TEST_F(RoomWindow, TheStartPageShowsAllItsCanvases) {
                     sizes->visualRect(sizes->model()->index(row, 0))))
                     << row;
         }
+    }
+}
+
+/// A dialog comes up with two thirds of a screen's height at most, 533 pixels of 800.
+TEST_F(RoomWindow, PensHaveRoomForAllTheirBoxesOnALowScreen) {
+    constexpr QSize kScreen(1280, 800);
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        main::speak(QString::fromLatin1(language));
+        panels::PenDialog dialog({}, &window());
+        dialog.resize(dialog.sizeHint().width(), 2 * kScreen.height() / 3);
+        dialog.show();
+        wait_until_shown(dialog);
+        QApplication::processEvents();
+        const auto boxes = dialog.findChildren<QComboBox*>();
+        EXPECT_EQ(boxes.size(), 6);
+        for (const QComboBox* box : boxes)
+            EXPECT_GE(box->height(), box->sizeHint().height()) << box->objectName().toStdString();
+        EXPECT_LE(dialog.width(), kScreen.width());
+        EXPECT_LE(dialog.height(), kScreen.height() - kBars);
     }
 }
 

@@ -37,7 +37,7 @@ QVBoxLayout* column_in(QWidget* part) {
 }  // namespace
 
 PenDialog::PenDialog(tools::PenSettings settings, QWidget* parent)
-    : QDialog(parent), settings_(std::move(settings)) {
+    : dialogs::GrowingDialog(parent), settings_(std::move(settings)) {
     setObjectName(QStringLiteral("pen_dialog"));
     setWindowTitle(tr("Pen and tablet"));
     auto* grid = new QGridLayout(this);

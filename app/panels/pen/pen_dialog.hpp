@@ -2,13 +2,12 @@
 // sheet to try it on. What is changed holds at once.
 #pragma once
 
+#include "dialogs/growing_dialog.hpp"
 #include "panels/pen/pen_pad.hpp"
 #include "tools/pen_settings.hpp"
 
 #include <optional>
 #include <vector>
-
-#include <QDialog>
 
 class QLabel;
 class QListWidget;
@@ -20,7 +19,7 @@ namespace pastoso::panels {
 class CurveEditor;
 class MousePart;
 
-class PenDialog : public QDialog {
+class PenDialog : public dialogs::GrowingDialog {
     Q_OBJECT
   public:
     PenDialog(tools::PenSettings settings, QWidget* parent);
