@@ -114,6 +114,11 @@ QWidget* KeysDialog::make_tree() {
         row->setToolTip(1, tr("Click, and press other keys"));
         rows_[text.command] = row;
     }
+    none_ = new QTreeWidgetItem(tree_, {tr("No command has such words or keys.")});
+    none_->setFlags(Qt::NoItemFlags);
+    none_->setForeground(0, appearance::colours().quiet_text);
+    none_->setFirstColumnSpanned(true);
+    none_->setHidden(true);
     connect(tree_, &QTreeWidget::currentItemChanged, this,
             [this](const QTreeWidgetItem* now, const QTreeWidgetItem* before) {
                 if (now != before) show_chosen();  // it may be but another column
@@ -212,6 +217,7 @@ void KeysDialog::filter() {
             any = any || !menu->child(k)->isHidden();
         menu->setHidden(!any);
     }
+    none_->setHidden(first != nullptr);
     if (first != nullptr && (tree_->currentItem() == nullptr || tree_->currentItem()->isHidden()))
         tree_->setCurrentItem(first);
 }

@@ -55,6 +55,7 @@ class KeysDialog : public GrowingDialog {
     QComboBox* sets_ = nullptr;
     QLineEdit* typed_ = nullptr;
     QTreeWidget* tree_ = nullptr;
+    QTreeWidgetItem* none_ = nullptr;  ///< is seen where nothing is found
     QLabel* name_ = nullptr;
     QLabel* hint_ = nullptr;
     QHBoxLayout* keys_ = nullptr;

@@ -511,6 +511,25 @@ TEST_F(BrushLibrary, IsSearchedByAFewLetters) {
     EXPECT_EQ(list().currentItem()->text().toStdString(), hand().brush);
 }
 
+TEST_F(BrushLibrary, SaysWhatItIsForWhereNothingIsListed) {
+    const auto said = [this] {
+        const bool alone = names().empty() && list().count() == 1;
+        return alone ? list().item(0)->text() : QStringLiteral("tools");
+    };
+    search().setText(QStringLiteral("no such tool"));
+    EXPECT_EQ(said(), "No tool has such a name.");
+    QTest::keyClick(&search(), Qt::Key_Return);
+    EXPECT_EQ(list().current_entry(), -1) << "there is none to be taken";
+    choose_folder(QStringLiteral("Favourites"));
+    EXPECT_EQ(said(), "Tools that you mark with a star are listed here.");
+    std::filesystem::remove(file("mine.json"));
+    parts().brushes.read();
+    choose_folder(QStringLiteral("My own"));
+    EXPECT_EQ(said(), "Tools that you save as your own are listed here.");
+    choose_folder(QStringLiteral("All"));
+    EXPECT_EQ(said(), "tools");
+}
+
 TEST_F(BrushLibrary, AFamilyIsAFolderAndKeysStayInIt) {
     choose_folder(QStringLiteral("Knives and combs"));
     click(QStringLiteral("Comb 25"));

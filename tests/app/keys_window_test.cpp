@@ -177,7 +177,14 @@ TEST_F(KeysWindow, CommandsAreFoundByWordsAndByKeys) {
         int shown = 0;
         for (int menu = 0; menu < tree.topLevelItemCount(); ++menu)
             shown += tree.topLevelItem(menu)->isHidden() ? 0 : 1;
-        EXPECT_LT(shown, tree.topLevelItemCount());
+        const QTreeWidgetItem& none = *tree.topLevelItem(tree.topLevelItemCount() - 1);
+        EXPECT_LT(shown, tree.topLevelItemCount() - 1) << "besides what says that nothing is found";
+        EXPECT_TRUE(none.isHidden());
+        find("xyzzy");
+        EXPECT_FALSE(none.isHidden());
+        EXPECT_FALSE(none.text(0).isEmpty());
+        for (int menu = 0; menu < tree.topLevelItemCount() - 1; ++menu)
+            EXPECT_TRUE(tree.topLevelItem(menu)->isHidden());
     });
 }
 

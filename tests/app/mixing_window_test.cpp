@@ -344,8 +344,17 @@ TEST_F(Mixes, AreRenamedAndTakenAway) {
     ASSERT_EQ(list().count(), 1);
     EXPECT_EQ(list().item(0)->text(), "a 2");
     list().setCurrentRow(0);
+    const QWidget& part = *find<QPushButton>("remove_mix").parentWidget();
+    const auto says_what_it_is_for = [&part] {
+        for (const auto* label : part.findChildren<QLabel*>())
+            if (!label->isHidden() && label->text().startsWith(QStringLiteral("Paints that you keep")))
+                return true;
+        return false;
+    };
+    EXPECT_FALSE(says_what_it_is_for());
     click(find<QPushButton>("remove_mix"));
     EXPECT_EQ(list().count(), 0);
+    EXPECT_TRUE(says_what_it_is_for());
 }
 
 TEST_F(Mixes, GoToAnotherPainterAsAFile) {

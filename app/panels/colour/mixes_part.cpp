@@ -4,12 +4,14 @@
 #include "panels/paint/paint_words.hpp"
 #include "panels/paint/swatch_colours.hpp"
 #include "panels/parts/choice_list.hpp"
+#include "panels/parts/labels.hpp"
 #include "panels/parts/section.hpp"
 
 #include <algorithm>
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 #include <QPixmap>
 #include <QPushButton>
@@ -67,6 +69,8 @@ MixesPart::MixesPart(QWidget* parent) : QWidget(parent), list_(new ChoiceList) {
                                       tr("Add the mixes and the palette of such a file"));
     auto* column = section(this, tr("Your mixes"));
     column->addWidget(list_);
+    none_ = note(tr("Paints that you keep are listed here, under names of your own."));
+    column->addWidget(none_);
     const std::vector<std::vector<QPushButton*>> rows = {{keep, remove_}, {export_, import}};
     for (const auto& buttons : rows) {
         auto* row = new QHBoxLayout;
@@ -103,6 +107,7 @@ void MixesPart::show_mixes(const std::vector<tools::NamedPaint>& mixes, const to
         item->setIcon(icon_of(shown_colour(mix.paint, view), devicePixelRatioF()));
     }
     list_->setVisible(!mixes.empty());
+    none_->setVisible(mixes.empty());
     remove_->setEnabled(!mixes.empty());
     fit_to_rows(list_, std::min(kMostRowsSeen, list_->count()));
 }

@@ -8,6 +8,7 @@
 
 #include <QWidget>
 
+class QLabel;
 class QPushButton;
 
 namespace pastoso::panels {
@@ -42,6 +43,7 @@ class MixesPart : public QWidget {
     void remove_current();
 
     ChoiceList* list_ = nullptr;
+    QLabel* none_ = nullptr;  ///< stands in the place of an empty list
     QPushButton* remove_ = nullptr;
     QPushButton* export_ = nullptr;
 };

@@ -136,6 +136,21 @@ void BrushFinder::show_folders(const std::vector<BrushEntry>& entries,
             folder_->setCurrentIndex(row);
 }
 
+QString BrushFinder::words_of_none() const {
+    const BrushChoice chosen = choice();
+    if (!chosen.typed.trimmed().isEmpty()) return tr("No tool has such a name.");
+    switch (chosen.kind) {
+        case Kind::Favourites:
+            return tr("Tools that you mark with a star are listed here.");
+        case Kind::Recent:
+            return tr("Tools that you have taken are listed here, the latest first.");
+        case Kind::Own:
+            return tr("Tools that you save as your own are listed here.");
+        default:
+            return {};
+    }
+}
+
 BrushChoice BrushFinder::choice() const {
     return {static_cast<Kind>(folder_->currentData().toInt()),
             folder_->currentData(kNameRole).toString(), typed_->text()};

@@ -37,6 +37,9 @@ class BrushFinder : public QWidget {
 
     BrushChoice choice() const;
 
+    /// What would be listed where nothing is; empty where that needs no word.
+    QString words_of_none() const;
+
   Q_SIGNALS:
     void changed();
     /// Return was pressed among the letters.

@@ -54,6 +54,11 @@ void BrushList::show_entries(const std::vector<BrushEntry>& entries) {
     }
 }
 
+void BrushList::show_none(const QString& words) {
+    show_entries({});
+    if (!words.isEmpty()) add_heading(words);
+}
+
 void BrushList::add_entry(const BrushEntry& entry) {
     const QString shown = shown_name(entry);
     auto* item = new QListWidgetItem(entry.favourite ? shown + QStringLiteral(" \u2605") : shown, this);
@@ -77,8 +82,8 @@ void BrushList::add_entry(const BrushEntry& entry) {
     items_.push_back(item);
 }
 
-void BrushList::add_heading(const QString& family) {
-    auto* heading = new QListWidgetItem(family, this);
+void BrushList::add_heading(const QString& words) {
+    auto* heading = new QListWidgetItem(words, this);
     heading->setData(kEntryRole, kNoEntry);
     heading->setFlags(Qt::NoItemFlags);
 }

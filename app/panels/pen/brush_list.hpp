@@ -34,6 +34,9 @@ class BrushList : public ChoiceList {
     /// Lists these in place of what was there; their thumbnails are asked for anew.
     void show_entries(const std::vector<BrushEntry>& entries);
 
+    /// Says these words in place of entries.
+    void show_none(const QString& words);
+
     /// Marks the entry of that number, without a signal, and brings it into view; none where there is no
     /// such entry.
     void show_entry(int entry);
@@ -61,7 +64,7 @@ class BrushList : public ChoiceList {
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    void add_heading(const QString& family);
+    void add_heading(const QString& words);
     void add_entry(const BrushEntry& entry);
     void draw_thumbnail(QListWidgetItem& item);
     void scroll_to_current();

@@ -130,7 +130,10 @@ void BrushPanel::offer_tags(const QPoint& place) {
 
 void BrushPanel::list_chosen() {
     listed_ = chosen_brushes(brushes_, shelf_, finder_->choice());
-    list_->show_entries(listed_);
+    if (listed_.empty())
+        list_->show_none(finder_->words_of_none());
+    else
+        list_->show_entries(listed_);
     mark_in_hand();
 }
 
