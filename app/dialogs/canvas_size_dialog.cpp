@@ -1,6 +1,7 @@
 #include "dialogs/canvas_size_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "dialogs/canvas_size_preview.hpp"
@@ -43,7 +44,8 @@ QString anchor_words(int field) {
 QString sides_words(const tools::Margins& margins, double sign) {
     QStringList sides;
     const auto note = [&](double margin_mm, const QString& words) {
-        if (sign * margin_mm > 0.0) sides << words.arg(in_hundredths(std::abs(margin_mm)));
+        if (sign * margin_mm > 0.0)
+            sides << words.arg(appearance::shown_number(in_hundredths(std::abs(margin_mm))));
     };
     note(margins.left_mm, CanvasSizeDialog::tr("%1 mm on the left"));
     note(margins.right_mm, CanvasSizeDialog::tr("%1 mm on the right"));

@@ -1,6 +1,7 @@
 #include "dialogs/new_canvas_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "appearance/terms.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
@@ -116,7 +117,7 @@ QString NewCanvasDialog::pace_words(double px_per_mm) const {
     if (px_per_mm <= live_px_per_mm_) return tr("This machine keeps pace with the hand.");
     return tr("This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted "
               "again finer.")
-        .arg(live_px_per_mm_);
+        .arg(appearance::shown_number(live_px_per_mm_));
 }
 
 /// What the canvas will cost, or why there can be none.

@@ -1,6 +1,7 @@
 #include "dialogs/rotate_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "dialogs/canvas_size_preview.hpp"
@@ -79,8 +80,8 @@ void RotateDialog::show_outcome() {
         preview_->show_rotated({after.width_mm, after.height_mm}, rotate.turn_deg);
         if (rotate.turn_deg == 0.0) return show_possible(false, tr("The image stands like this."));
         const QString size = tr("A canvas of %1 × %2 mm.")
-                                 .arg(in_hundredths(after.width_mm))
-                                 .arg(in_hundredths(after.height_mm));
+                                 .arg(appearance::shown_number(in_hundredths(after.width_mm)),
+                                      appearance::shown_number(in_hundredths(after.height_mm)));
         const QString rest = rotate.keeps_size ? tr("What comes beyond it is wiped off.")
                                                : tr("What is new in its corners is bare.");
         show_possible(true, size + QLatin1Char(' ') + rest + QLatin1Char('\n') +

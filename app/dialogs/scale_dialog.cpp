@@ -1,6 +1,7 @@
 #include "dialogs/scale_dialog.hpp"
 
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "appearance/terms.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
@@ -26,7 +27,7 @@ QString paint_words(const document::ScaleCanvas& scale) {
     const double area = scale.scale_x * scale.scale_y;
     if (area == 1.0) return {};
     return ScaleDialog::tr("Paint keeps its thickness, so that there is %1 times as much of it.")
-        .arg(in_hundredths(area));
+        .arg(appearance::shown_number(in_hundredths(area)));
 }
 
 }  // namespace

@@ -127,7 +127,6 @@ void TeaPanel::add_next_glass(QVBoxLayout* column) {
     parcels_->setObjectName(QStringLiteral("parcels"));
     parcels_->setRange(1, liquid::kMaxParcels);
     parcels_->setSingleStep(1000);
-    parcels_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     parcels_->setAlignment(Qt::AlignRight);
     parcels_->setKeyboardTracking(false);
     parcels_->setToolTip(tr("Drops that the next glass' milk is made of"));

@@ -13,7 +13,9 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTest>
@@ -439,6 +441,16 @@ TEST_F(RotatedImage, TheDialogSaysWhatBecomesOfTheCanvas) {
         EXPECT_EQ(dialog.wanted(), (document::RotateCanvas{-30.0, true}));
     });
     EXPECT_EQ(size_mm(), glm::dvec2(60.0, 40.0));
+}
+
+TEST_F(RotatedImage, TheDialogWritesNumbersAsTheLanguageDoes) {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::Swedish));
+    dialogs::RotateDialog dialog(canvas_settings(), QImage(60, 40, QImage::Format_RGB888), {},
+                                 &window());
+    child<QDoubleSpinBox>(dialog, "turn").setValue(-30.0);
+    EXPECT_THAT(words(dialog), HasSubstr("71,96 × 64,64 mm"));
+    QLocale::setDefault(before);
 }
 
 }  // namespace

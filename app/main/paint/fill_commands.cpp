@@ -1,5 +1,6 @@
 #include "main/paint/fill_commands.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "dialogs/length_dialog.hpp"
 #include "main/paint/lent_paint.hpp"
 #include "panels/pen/brush_panel.hpp"
@@ -56,7 +57,7 @@ void FillCommands::pour(document::FillWithPaint fill) {
     const QString words = studio_.session().snapshot()->selection == nullptr
                               ? tr("%1 mm of paint are poured over the whole canvas.")
                               : tr("%1 mm of paint are poured over what is selected.");
-    studio_.report(words.arg(thickness_mm_));
+    studio_.report(words.arg(appearance::shown_number(thickness_mm_)));
 }
 
 void FillCommands::ask_for_ground() {

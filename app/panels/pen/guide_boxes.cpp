@@ -1,5 +1,6 @@
 #include "panels/pen/guide_boxes.hpp"
 
+#include "appearance/shown_number.hpp"
 #include "panels/parts/labels.hpp"
 
 #include <QDoubleSpinBox>
@@ -22,12 +23,13 @@ QDoubleSpinBox* add_number(QFormLayout* form, const QString& name, const QString
     auto* box = new QDoubleSpinBox;
     box->setObjectName(name);
     box->setAccessibleName(words);
-    box->setToolTip(translated(QT_TR_NOOP("%1: %2 to %3%4")).arg(words).arg(least).arg(most).arg(unit));
+    box->setToolTip(
+        translated(QT_TR_NOOP("%1: %2 to %3%4"))
+            .arg(words, appearance::shown_number(least), appearance::shown_number(most), unit));
     box->setRange(least, most);
     box->setDecimals(unit.isEmpty() ? 0 : 1);
     box->setSuffix(unit);
     box->setKeyboardTracking(false);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setAlignment(Qt::AlignRight);
     form->addRow(words, box);
     return box;

@@ -1,11 +1,13 @@
 #include "panels/popup/popup_palette.hpp"
 
 #include "appearance/shown_names.hpp"
+#include "appearance/shown_number.hpp"
 #include "panels/paint/thinning_slider.hpp"
 #include "panels/popup/ring_places.hpp"
 #include "panels/popup/round_button.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QAction>
 #include <QGuiApplication>
@@ -157,7 +159,7 @@ void PopupPalette::show_content(const Content& content) {
 }
 
 void PopupPalette::show_width(double width_mm) {
-    width_->setText(tr("%1 mm").arg(width_mm, 0, 'g', 3));
+    width_->setText(tr("%1 mm").arg(appearance::shown_number(std::round(10.0 * width_mm) / 10.0)));
 }
 
 void PopupPalette::show_thinning(const tools::Hand& hand) {
