@@ -202,6 +202,8 @@ void ExportDialog::make_numbers() {
 void ExportDialog::add_row(const QString& words, QWidget* field, QWidget* buddy) {
     auto* label = new QLabel(words);
     label->setBuddy(buddy != nullptr ? buddy : field);
+    // A screen reader looks for labels right beside a widget alone.
+    if (buddy != nullptr) buddy->setAccessibleName(QString(words).remove(QLatin1Char('&')));
     const int row = rows_->rowCount();
     rows_->addWidget(label, row, 0);
     rows_->addWidget(field, row, 1);

@@ -78,7 +78,9 @@ AboutDialog::AboutDialog(const Manual& manual, const std::vector<dialogs::Fact>&
     pages->addTab(dialogs::fact_list(machine), tr("This machine"));
     pages->addTab(dialogs::fact_list(folders), tr("Folders"));
     pages->addTab(libraries_page(manual), tr("Libraries"));
-    pages->addTab(licence_page(manual), tr("Licence"));
+    QWidget* licence = licence_page(manual);
+    licence->setAccessibleName(tr("Licence"));
+    pages->addTab(licence, tr("Licence"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* column = new QVBoxLayout(this);

@@ -2,12 +2,30 @@
 #include "app/window_fixture.hpp"
 #include "appearance/said_value.hpp"
 #include "appearance/terms.hpp"
+#include "dialogs/adjust_dialog.hpp"
+#include "dialogs/canvas_size_dialog.hpp"
+#include "dialogs/crash_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
+#include "dialogs/keys_dialog.hpp"
+#include "dialogs/length_dialog.hpp"
+#include "dialogs/new_canvas_dialog.hpp"
+#include "dialogs/recovery_dialog.hpp"
+#include "dialogs/rotate_dialog.hpp"
+#include "dialogs/scale_dialog.hpp"
+#include "dialogs/select_range_dialog.hpp"
+#include "dialogs/settings_dialog.hpp"
+#include "dialogs/texture_dialog.hpp"
+#include "dialogs/transform_dialog.hpp"
+#include "glass/liquid_picture_dialog.hpp"
 #include "main/window_parts.hpp"
 #include "panels/canvas/light_dial.hpp"
 #include "panels/canvas/tilt_dial.hpp"
 #include "panels/pen/curve_editor.hpp"
+#include "panels/pen/pen_dialog.hpp"
 
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -17,11 +35,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTabBar>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <gmock/gmock.h>
 
@@ -55,10 +75,11 @@ class SaidWindow : public WindowTest {
         return words;
     }
 
-    /// Of the whole window, those that the Tab key reaches; parts of Qt's own are those around them.
-    std::vector<QWidget*> focusable() {
+    /// Of all of a window, those that the Tab key reaches; parts of Qt's own are those around them.
+    std::vector<QWidget*> focusable() { return focusable_in(window()); }
+    static std::vector<QWidget*> focusable_in(const QWidget& whole) {
         std::vector<QWidget*> found;
-        for (QWidget* widget : window().findChildren<QWidget*>()) {
+        for (QWidget* widget : whole.findChildren<QWidget*>()) {
             const bool is_part = widget->objectName().startsWith(QStringLiteral("qt_")) ||
                                  widget->inherits("QComboBoxListView") ||
                                  qobject_cast<QTabBar*>(widget->parentWidget()) != nullptr ||
@@ -87,6 +108,78 @@ TEST_F(SaidWindow, WhateverTakesKeysHasAName) {
         EXPECT_NE(said(*widget, QAccessible::Name), "") << words_for(*widget);
     }
     EXPECT_GT(count, 60);
+}
+
+/// One of each that can be opened without a file.
+std::vector<std::unique_ptr<QDialog>> all_dialogs(const document::CanvasSettings& canvas,
+                                                  const commands::KeyBindings& keys) {
+    using Way = dialogs::ChosenAdjustment::Way;
+    using Form = dialogs::ChosenTexture::Form;
+    const QImage picture(60, 40, QImage::Format_RGB888);
+    const dialogs::AskedLength asked{.title = QStringLiteral("Grow"),
+                                     .explanation = QStringLiteral("On all sides"),
+                                     .name = QStringLiteral("Width"),
+                                     .button = QStringLiteral("Grow"),
+                                     .most_mm = 10.0};
+    std::vector<std::unique_ptr<QDialog>> all;
+    const auto add = [&all](auto* dialog) { all.emplace_back(dialog); };
+    add(new dialogs::SettingsDialog({}, 512, {}, {{"OpenGL", "none"}}));
+    add(new dialogs::KeysDialog(keys));
+    add(new dialogs::NewCanvasDialog(canvas, 4.0));
+    add(new dialogs::CanvasSizeDialog(canvas, picture));
+    add(new dialogs::ScaleDialog(canvas));
+    add(new dialogs::RotateDialog(canvas, picture, {}));
+    add(new dialogs::TransformDialog({.size_mm = {20.0, 10.0}}, {60.0, 40.0}));
+    add(new dialogs::SelectRangeDialog(QStringLiteral("Height"), QStringLiteral("Of paint"),
+                                       {0.0, 1.0}));
+    add(new dialogs::MarginDialog(asked));
+    for (const Form form : {Form::Sand, Form::Knifed, Form::Pressed})
+        add(new dialogs::TextureDialog({.form = form, .picture = QStringLiteral("/tmp/a.png")}, {}));
+    for (const Way way : {Way::Glaze, Way::Exchange})
+        add(new dialogs::AdjustDialog({.way = way}, true,
+                                      [](const auto&) { return tools::AdjustedColours{}; }));
+    add(new dialogs::CrashDialog(QStringLiteral("Ended by: SIGSEGV"), QStringLiteral("/tmp/report")));
+    std::vector<journal::Unfinished> unfinished{
+        {.folder = "/tmp/nowhere", .painting = "/tmp/a.pastoso"}};
+    add(new dialogs::RecoveryDialog(unfinished));
+    add(new panels::PenDialog({}, nullptr));
+    add(new glass::LiquidPictureDialog(
+        {.name = QStringLiteral("picture_dialog"),
+         .title = QStringLiteral("Render"),
+         .hint = QStringLiteral("A picture"),
+         .file = QStringLiteral("tea.png")},
+        [] { return session::LiquidPictureOrder{}; }, nullptr));
+    return all;
+}
+
+TEST_F(SaidWindow, WhateverTakesKeysInADialogHasAName) {
+    const auto expect_names = [](const QDialog& dialog) {
+        SCOPED_TRACE(dialog.windowTitle().toStdString());
+        int count = 0;
+        for (QWidget* widget : focusable_in(dialog)) {
+            if (!is_known_to_qt(*widget) || widget->inherits("QTabBar")) continue;
+            ++count;
+            EXPECT_NE(said(*widget, QAccessible::Name), "") << words_for(*widget);
+        }
+        EXPECT_GT(count, 0);
+    };
+    for (const auto& dialog : all_dialogs(canvas_settings(), studio().commands().keys()))
+        expect_names(*dialog);
+    action(Command::Export)->trigger();
+    auto* exporting = window().findChild<dialogs::ExportDialog*>();
+    ASSERT_NE(exporting, nullptr);
+    expect_names(*exporting);
+    exporting->reject();
+    bool checked = false;
+    QTimer::singleShot(0, &window(), [&] {
+        auto* about = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(about, nullptr);
+        expect_names(*about);
+        checked = true;
+        about->reject();
+    });
+    action(Command::About)->trigger();
+    EXPECT_TRUE(checked);
 }
 
 TEST_F(SaidWindow, WhatDrawsItselfSaysWhatItIsAndHowItStands) {
