@@ -1,5 +1,6 @@
 #include "commands/command_search.hpp"
 
+#include "commands/command_synonyms.hpp"
 #include "commands/command_words.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace pastoso::commands {
 namespace {
 
 // In each kind more than in all of the next.
-constexpr int kFirstWord = 1000, kWord = 300, kBeginnings = 100, kMenu = 30, kHint = 1;
+constexpr int kFirstWord = 3000, kWord = 1000, kSynonym = 300, kBeginnings = 100, kMenu = 30, kHint = 1;
 
 QStringList words_in(const QString& text) {
     static const QRegularExpression between(QStringLiteral("[^\\p{L}\\p{N}]+"));
@@ -42,13 +43,18 @@ bool is_put_together(const QString& typed, const QStringList& words, qsizetype f
     return false;
 }
 
-int fit_of_word(const QString& typed, const QStringList& words, const QStringList& menu,
-                const QStringList& hint) {
-    if (!words.isEmpty() && words.front().startsWith(typed)) return kFirstWord;
-    if (begins_one(typed, words)) return kWord;
-    if (is_put_together(typed, words)) return kBeginnings;
-    if (begins_one(typed, menu)) return kMenu;
-    return begins_one(typed, hint) ? kHint : 0;
+/// By which a command is found.
+struct Findable {
+    QStringList words, synonyms, menu, hint;
+};
+
+int fit_of_word(const QString& typed, const Findable& text) {
+    if (!text.words.isEmpty() && text.words.front().startsWith(typed)) return kFirstWord;
+    if (begins_one(typed, text.words)) return kWord;
+    if (begins_one(typed, text.synonyms)) return kSynonym;
+    if (is_put_together(typed, text.words)) return kBeginnings;
+    if (begins_one(typed, text.menu)) return kMenu;
+    return begins_one(typed, text.hint) ? kHint : 0;
 }
 
 /// Nothing where a word fits nowhere.
@@ -66,18 +72,18 @@ int sum_of_words(const QString& typed, const FitOfWord& fit_of) {
 }  // namespace
 
 int fit(const QString& typed, const CommandText& text) {
-    const QStringList words = words_in(plain_words(text.words));
-    const QStringList menu = words_in(plain_words(text.menu));
-    const QStringList hint = words_in(words_of(text.hint));
-    return sum_of_words(typed,
-                        [&](const QString& word) { return fit_of_word(word, words, menu, hint); });
+    const Findable by{words_in(plain_words(text.words)), words_in(synonyms_of(text.command)),
+                      words_in(plain_words(text.menu)), words_in(words_of(text.hint))};
+    return sum_of_words(typed, [&](const QString& word) { return fit_of_word(word, by); });
 }
 
 /// Letters put together of beginnings would find half of the box of paints.
-int fit_of_name(const QString& typed, const QString& name, const QString& kind) {
-    const QStringList names = words_in(name), kinds = words_in(kind);
+int fit_of_name(const QString& typed, const QString& name, const QString& kind,
+                const QString& synonyms) {
+    const QStringList names = words_in(name), others = words_in(synonyms), kinds = words_in(kind);
     return sum_of_words(typed, [&](const QString& word) {
         if (begins_one(word, names)) return names.front().startsWith(word) ? kFirstWord : kWord;
+        if (begins_one(word, others)) return kSynonym;
         return begins_one(word, kinds) ? kMenu : 0;
     });
 }

@@ -9,13 +9,16 @@
 
 namespace pastoso::commands {
 
-/// How well what was typed fits: 0 not at all. Every word of it must begin a word of the command, of its
-/// menu or of its hint, or be put together of such beginnings ("nela" for New layer); what begins the
-/// command's own words counts most.
+/// How well what was typed fits: 0 not at all. Every word of it must begin a word of the command, of
+/// what else it is called, of its menu or of its hint, or be put together of beginnings of the command's
+/// own
+/// ("nela" for New layer); what begins the command's own words counts most.
 int fit(const QString& typed, const CommandText& text);
 
-/// The same of a thing that has a name: every word must begin a word of the name or of what kind it is.
-int fit_of_name(const QString& typed, const QString& name, const QString& kind);
+/// The same of a thing that has a name: every word must begin a word of the name, of what else it is
+/// called or of what kind it is.
+int fit_of_name(const QString& typed, const QString& name, const QString& kind,
+                const QString& synonyms = {});
 
 struct Found {
     Command command;

@@ -109,8 +109,8 @@ void CommandPalette::list_found() {
                         [this, command = found.command] { add(command); }});
     for (std::size_t i = 0; i < offers_.size(); ++i) {
         const Offer& offer = offers_[i];
-        const int fit = commands::fit_of_name(typed_->text(), offer.words, offer.kind);
-        if (fit > 0) rows.push_back({true, fit, [this, i] { add(i); }});
+        const int fit = commands::fit_of_name(typed_->text(), offer.words, offer.kind, offer.synonyms);
+        if (fit > 0) rows.push_back({offer.can, fit, [this, i] { add(i); }});
     }
     std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
         return std::pair(a.can, a.fit) > std::pair(b.can, b.fit);
@@ -146,6 +146,7 @@ void CommandPalette::add(std::size_t offer) {
     item->setData(static_cast<int>(offer), CommandDelegate::kOffer);
     item->setData(offers_[offer].kind, CommandDelegate::kMenu);
     item->setData(offers_[offer].hint, CommandDelegate::kHint);
+    item->setEnabled(offers_[offer].can);
     model_->appendRow(item);
 }
 

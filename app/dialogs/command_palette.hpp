@@ -18,12 +18,14 @@ class QStandardItemModel;
 
 namespace pastoso::dialogs {
 
-/// What is no command but is found like one: a tool, a paint, a medium.
+/// What is no command but is found like one: a tool, a paint, a medium, a control of a panel.
 struct Offer {
     QString words;
     QString kind;
     QString hint;
     std::function<void()> take;
+    QString synonyms{};  ///< what else it is found by
+    bool can = true;     ///< be taken now
 };
 
 class CommandPalette : public QFrame {

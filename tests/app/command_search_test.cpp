@@ -4,6 +4,7 @@
 #include "commands/command_words.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -49,6 +50,38 @@ TEST(CommandSearch, BeginningsMayBeTypedInOneWord) {
 TEST(CommandSearch, FindsWhatOtherProgramsCallOtherwise) {
     for (const char* typed : {"adjust", "hue", "colour adjustment", "glaze"})
         EXPECT_THAT(find_commands(QString::fromUtf8(typed)), Contains(Command::AdjustDryPaint)) << typed;
+    for (const auto& [typed, command] : {std::pair("select opaque", Command::SelectPaint),
+                                         {"alpha lock", Command::LockBare},
+                                         {"clipping", Command::ClipLayer},
+                                         {"clipping mask", Command::ClipLayer},
+                                         {"assistant", Command::Ruler},
+                                         {"incremental", Command::SaveVersion},
+                                         {"save incremental", Command::SaveVersion},
+                                         {"wand", Command::SelectContiguous},
+                                         {"frisket", Command::MaskingFluid},
+                                         {"resize canvas", Command::CanvasSize},
+                                         {"trim to selection", Command::CropToSelection},
+                                         {"deselect", Command::SelectEverything},
+                                         {"eyedropper", Command::PickPaint},
+                                         {"bucket", Command::FillPaint},
+                                         {"magic", Command::SelectContiguous}})
+        EXPECT_EQ(first_of(typed), command) << typed;
+    EXPECT_THAT(find_commands("frisket zebra"), IsEmpty());
+}
+
+TEST(CommandSearch, WhatItIsCalledElsewhereComesAfterOwnWords) {
+    const std::vector<Command> found = find_commands("canvas");
+    const auto place = [&](Command command) {
+        return std::find(found.begin(), found.end(), command) - found.begin();
+    };
+    ASSERT_THAT(found, Contains(Command::MirrorView));
+    EXPECT_LT(place(Command::CanvasSize), place(Command::MirrorView));
+    EXPECT_LT(place(Command::FitCanvas), place(Command::MirrorView));
+    EXPECT_LT(place(Command::MirrorView), place(Command::TurnLeft)) << "by its hint alone";
+    EXPECT_GT(fit_of_name("gpl", "Save the palette", "Colour panel", "swatches, gpl"), 0);
+    EXPECT_GT(fit_of_name("save", "Save the palette", "Colour panel"),
+              fit_of_name("gpl", "Save the palette", "Colour panel", "gpl"));
+    EXPECT_EQ(fit_of_name("gpl", "Save the palette", "Colour panel"), 0);
 }
 
 TEST(CommandSearch, TheMiddleOfAWordFindsNothing) {

@@ -3,6 +3,7 @@
 #include "dialogs/command_delegate.hpp"
 #include "dialogs/command_palette.hpp"
 
+#include <utility>
 #include <vector>
 
 #include <QAction>
@@ -10,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QListWidget>
 #include <QSignalSpy>
 #include <QTest>
 #include <gmock/gmock.h>
@@ -79,6 +81,64 @@ TEST_F(PaletteWindow, FindsToolsPaintsAndMedia) {
     EXPECT_FALSE(studio().easel().hand().paint == paint);
     take("stand oil");
     EXPECT_EQ(studio().easel().hand().medium.name, "stand oil");
+}
+
+TEST_F(PaletteWindow, FindsControlsAndGivesThemTheKeyboard) {
+    for (const auto& [typed, name] : {std::pair("harmony", "harmony"),
+                                      {"gamut mask", "mask_shape"},
+                                      {"tube sets", "tube_sets"},
+                                      {"tags of", "brush_folder"},
+                                      {"snapping str", "guide_strength"}}) {
+        open();
+        type(typed);
+        key(Qt::Key_Return);
+        QTest::qWait(0);
+        auto* control = window().findChild<QWidget*>(QLatin1String(name));
+        ASSERT_NE(control, nullptr) << name;
+        EXPECT_TRUE(control->isVisible()) << name;
+        EXPECT_EQ(window().focusWidget(), control) << name;
+    }
+}
+
+TEST_F(PaletteWindow, WhatIsGreyInAPanelStandsBelowAndCannotBeTaken) {
+    open();
+    type("gpl");
+    ASSERT_EQ(list().model()->rowCount(), 2);
+    EXPECT_EQ(list().model()->index(0, 0).data().toString(), "Open a palette");
+    const QModelIndex save = list().model()->index(1, 0);
+    EXPECT_EQ(save.data().toString(), "Save the palette");
+    EXPECT_FALSE(save.flags().testFlag(Qt::ItemIsEnabled)) << "there is nothing on it yet";
+    key(Qt::Key_Escape);
+}
+
+TEST_F(PaletteWindow, AMixIsKeptAndFoundByItsName) {
+    const document::PaintRecipe sky{{{"PB29", 1.0}, {"PW6", 8.0}}, 0.5};
+    studio().choose_paint(sky);
+    open();
+    type("keep as a mix");
+    key(Qt::Key_Return);
+    QTest::qWait(0);
+    auto* mixes = window().findChild<QListWidget*>(QStringLiteral("mixes"));
+    ASSERT_EQ(mixes->count(), 1);
+    auto* editor = mixes->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr) << "it asks for a name";
+    editor->selectAll();
+    QTest::keyClicks(editor, "my sky");
+    QTest::keyClick(editor, Qt::Key_Return);
+    QApplication::processEvents();
+    studio().choose_paint({{{"PR108", 1.0}}, 1.0});
+    open();
+    type("my sky");
+    EXPECT_EQ(list().model()->index(0, 0).data(CommandDelegate::kMenu).toString(), "Your mix");
+    key(Qt::Key_Return);
+    EXPECT_EQ(studio().easel().hand().paint, sky);
+}
+
+TEST_F(PaletteWindow, FindsWhatTheMenuOfTheTubesDoes) {
+    open();
+    type("squeeze out the last");
+    key(Qt::Key_Return);
+    EXPECT_EQ(told(), "No paint was squeezed out beside an earlier painting yet.");
 }
 
 TEST_F(PaletteWindow, HoldsEveryCommandWithItsMenuAndKeys) {

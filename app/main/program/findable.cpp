@@ -1,5 +1,7 @@
 #include "main/program/findable.hpp"
 
+#include "main/program/findable_controls.hpp"
+#include "panels/colour/colour_panel.hpp"
 #include "panels/paint/medium_box.hpp"
 #include "panels/paint/paint_panel.hpp"
 #include "panels/pen/brush_panel.hpp"
@@ -27,6 +29,13 @@ void add_paints(std::vector<dialogs::Offer>& offers, panels::PaintPanel& panel) 
                           [&panel, entry] { panel.choose(entry.pigment); }});
 }
 
+void add_mixes(std::vector<dialogs::Offer>& offers, panels::ColourPanel& panel) {
+    for (const tools::NamedPaint& mix : panel.shelf().mixes)
+        offers.push_back({QString::fromStdString(mix.name), Words::tr("Your mix"),
+                          Words::tr("Choose this paint"),
+                          [&panel, paint = mix.paint] { panel.choose(paint); }});
+}
+
 void add_media(std::vector<dialogs::Offer>& offers, panels::MediumBox& box) {
     for (const QString& name : box.media())
         offers.push_back({box.shown_medium(name), Words::tr("Medium"), box.sentence(name),
@@ -35,11 +44,13 @@ void add_media(std::vector<dialogs::Offer>& offers, panels::MediumBox& box) {
 
 }  // namespace
 
-std::vector<dialogs::Offer> findable(const PanelSet& panels) {
+std::vector<dialogs::Offer> findable(const commands::CommandRegistry& commands, const PanelSet& panels) {
     std::vector<dialogs::Offer> offers;
     add_tools(offers, *panels.brushes);
     add_paints(offers, *panels.paints);
+    add_mixes(offers, *panels.colours);
     add_media(offers, *panels.medium);
+    add_controls(offers, commands, panels);
     return offers;
 }
 

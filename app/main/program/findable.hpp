@@ -1,6 +1,7 @@
-// What the list of commands finds besides commands: tools, paints and media.
+// What the list of commands finds besides commands: tools, paints, mixes, media and controls of panels.
 #pragma once
 
+#include "commands/command_registry.hpp"
 #include "dialogs/command_palette.hpp"
 #include "main/panel_set.hpp"
 
@@ -9,6 +10,6 @@
 namespace pastoso::main {
 
 /// As they stand in the panels now; taking one does what a click on it there does.
-std::vector<dialogs::Offer> findable(const PanelSet& panels);
+std::vector<dialogs::Offer> findable(const commands::CommandRegistry& commands, const PanelSet& panels);
 
 }  // namespace pastoso::main

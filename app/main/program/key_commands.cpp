@@ -71,7 +71,7 @@ KeyCommands::KeyCommands(Studio& studio, const PanelSet& panels)
     : studio_(studio),
       palette_(new dialogs::CommandPalette(studio.commands(), &studio.window())),
       file_(studio, core::user_config_path("keys.json")) {
-    palette_->offer_also([panels] { return findable(panels); });
+    palette_->offer_also([this, panels] { return findable(studio_.commands(), panels); });
     studio_.commands().on(Command::FindCommand, [this](bool) { palette_->open_over(studio_.canvas()); });
     studio_.commands().on(Command::EditKeys, [this](bool) { edit(); });
 }

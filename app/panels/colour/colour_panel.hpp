@@ -43,6 +43,9 @@ class ColourPanel : public QWidget {
 
     const tools::PaintShelf& shelf() const { return shelf_; }
 
+    /// As a click on one of its paints does.
+    void choose(const document::PaintRecipe& paint) { Q_EMIT paint_chosen(paint); }
+
     /// Shows the paints of an earlier session, without a signal.
     void show_shelf(const tools::PaintShelf& shelf);
 

@@ -52,6 +52,9 @@ class BrushPanel : public QWidget {
     /// As a click on it does.
     void take(const BrushEntry& brush) { Q_EMIT brush_taken(brush.name, brush.width_mm); }
 
+    /// As "New tag..." in the list's menu does for the tool in hand.
+    void want_tag() { Q_EMIT new_tag_wanted(in_hand_); }
+
     /// Takes the brush so many places on in the list, around its ends.
     void take_next(int places);
 
