@@ -12,7 +12,7 @@ class KeyBindings {
   public:
     using Keys = QList<QKeySequence>;
 
-    explicit KeyBindings(KeySet set = KeySet::Krita, std::map<Command, Keys> own = {});
+    explicit KeyBindings(KeySet set = KeySet::Pastoso, std::map<Command, Keys> own = {});
 
     KeySet set() const { return set_; }
 

@@ -6,6 +6,8 @@ namespace pastoso::commands {
 namespace {
 
 constexpr KeySetText kSets[] = {
+    {KeySet::Pastoso, "pastoso", QT_TRANSLATE_NOOP("Keys", "Pastoso"),
+     QT_TRANSLATE_NOOP("Keys", "Krita's keys, but for short ones of what only wet paint has")},
     {KeySet::Krita, "krita", QT_TRANSLATE_NOOP("Keys", "Like Krita"),
      QT_TRANSLATE_NOOP("Keys", "The keys of Krita, where it has the same command")},
     {KeySet::Photoshop, "photoshop", QT_TRANSLATE_NOOP("Keys", "Like Photoshop"),
@@ -15,6 +17,15 @@ constexpr KeySetText kSets[] = {
 struct OtherKeys {
     Command command;
     const char* keys;  ///< in place of those in the list of commands
+};
+
+/// Where Krita has another key for the same command, or needs that of the list for another one.
+constexpr OtherKeys kKrita[] = {
+    {Command::TopUpBrush, "Ctrl+Shift+R"},    {Command::FillGradient, "G; Ctrl+Backspace"},
+    {Command::ClipLayer, "Ctrl+Shift+G"},     {Command::SelectRectangle, "Ctrl+R; A"},
+    {Command::SelectEllipse, "J; Shift+A"},   {Command::SelectContiguous, "Shift+J"},
+    {Command::SelectSimilar, "Ctrl+Shift+J"}, {Command::Ruler, "Y"},
+    {Command::RemoveGuides, "Ctrl+;"},
 };
 
 /// Where Photoshop has another key for the same command, or needs that of the list for another one.
@@ -56,10 +67,15 @@ constexpr OtherKeys kPhotoshop[] = {
     {Command::NavigatorPanel, "Ctrl+F7"},
 };
 
+std::span<const OtherKeys> other_keys(KeySet set) {
+    if (set == KeySet::Krita) return kKrita;
+    if (set == KeySet::Photoshop) return kPhotoshop;
+    return {};
+}
+
 const char* keys_text(KeySet set, Command command) {
-    if (set == KeySet::Photoshop)
-        for (const OtherKeys& other : kPhotoshop)
-            if (other.command == command) return other.keys;
+    for (const OtherKeys& other : other_keys(set))
+        if (other.command == command) return other.keys;
     return text_of(command).keys;
 }
 

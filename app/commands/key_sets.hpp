@@ -11,7 +11,7 @@
 
 namespace pastoso::commands {
 
-enum class KeySet { Krita, Photoshop };
+enum class KeySet { Pastoso, Krita, Photoshop };
 
 struct KeySetText {
     KeySet set;

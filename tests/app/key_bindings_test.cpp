@@ -58,24 +58,38 @@ TEST(KeySets, HoldNothingButKeysThatCanBeGiven) {
 }
 
 TEST(KeySets, AreWhatHandsKnow) {
-    const KeyBindings krita, photoshop(KeySet::Photoshop);
-    for (const KeyBindings* both : {&krita, &photoshop}) {
-        EXPECT_EQ(both->holder(QKeySequence("B")), Command::NextBrush);
-        EXPECT_EQ(both->holder(QKeySequence("[")), Command::SmallerBrush);
-        EXPECT_EQ(both->holder(QKeySequence("X")), Command::SwapPaints);
-        EXPECT_EQ(both->holder(QKeySequence("Ctrl+T")), Command::TransformLayer);
-        EXPECT_EQ(both->holder(QKeySequence("Ctrl+J")), Command::DuplicateLayer);
-        EXPECT_EQ(both->holder(QKeySequence("Ctrl+E")), Command::MergeDown);
-        EXPECT_EQ(both->holder(QKeySequence("Ctrl+Return")), Command::FindCommand);
+    const KeyBindings ours, krita(KeySet::Krita), photoshop(KeySet::Photoshop);
+    for (const KeyBindings* each : {&ours, &krita, &photoshop}) {
+        EXPECT_EQ(each->holder(QKeySequence("B")), Command::NextBrush);
+        EXPECT_EQ(each->holder(QKeySequence("[")), Command::SmallerBrush);
+        EXPECT_EQ(each->holder(QKeySequence("X")), Command::SwapPaints);
+        EXPECT_EQ(each->holder(QKeySequence("Ctrl+T")), Command::TransformLayer);
+        EXPECT_EQ(each->holder(QKeySequence("Ctrl+J")), Command::DuplicateLayer);
+        EXPECT_EQ(each->holder(QKeySequence("Ctrl+E")), Command::MergeDown);
+        EXPECT_EQ(each->holder(QKeySequence("Ctrl+Return")), Command::FindCommand);
     }
     EXPECT_EQ(krita.holder(QKeySequence("Ins")), Command::AddLayer);
     EXPECT_EQ(krita.holder(QKeySequence("PgUp")), Command::LayerAbove);
     EXPECT_EQ(krita.holder(QKeySequence("P")), Command::PickPaint);
     EXPECT_EQ(krita.holder(QKeySequence("T")), Command::TransformLayer);
+    EXPECT_EQ(krita.holder(QKeySequence("Ctrl+R")), Command::SelectRectangle);
+    EXPECT_EQ(krita.holder(QKeySequence("J")), Command::SelectEllipse);
+    EXPECT_EQ(krita.holder(QKeySequence("G")), Command::FillGradient);
+    EXPECT_EQ(krita.holder(QKeySequence("Ctrl+Shift+G")), Command::ClipLayer);
     EXPECT_EQ(photoshop.holder(QKeySequence("I")), Command::PickPaint);
     EXPECT_EQ(photoshop.holder(QKeySequence("V")), Command::TransformLayer);
     EXPECT_EQ(photoshop.holder(QKeySequence("M")), Command::SelectRectangle);
     EXPECT_EQ(photoshop.holder(QKeySequence("Ctrl+D")), Command::SelectEverything);
+}
+
+/// What has a key in ours has one like Krita, too: it has moved, and is not lost.
+TEST(KeySets, LikeKritaTakesNoKeyWithoutAnother) {
+    const KeyBindings ours, krita(KeySet::Krita);
+    for (const CommandText& text : command_list())
+        EXPECT_GE(krita.keys(text.command).size(), ours.keys(text.command).size())
+            << name_of(text.command);
+    EXPECT_EQ(ours.holder(QKeySequence("Ctrl+R")), Command::TopUpBrush);
+    EXPECT_EQ(ours.holder(QKeySequence("A")), krita.holder(QKeySequence("A")));
 }
 
 TEST(CommandNames, AreEachOfOneCommand) {

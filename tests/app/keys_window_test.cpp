@@ -149,6 +149,9 @@ TEST_F(KeysWindow, ASetIsChosenAndTheOwnStay) {
         auto& sets = part<QComboBox>("sets");
         sets.setFocus();
         QTest::keyClick(&sets, Qt::Key_Down);
+        EXPECT_EQ(sets.currentText(), "Like Krita");
+        EXPECT_EQ(keys_of(Command::SelectEllipse), "J; Shift+A");
+        QTest::keyClick(&sets, Qt::Key_Down);
         EXPECT_EQ(sets.currentText(), "Like Photoshop");
     });
     EXPECT_EQ(keys_of(Command::DryNow), "D; V");

@@ -30,7 +30,8 @@ QString beginning() {
 }
 
 QString head_of(const char* menu) {
-    return QStringLiteral("\n## %1\n\n| %2 | %3 | %4 | %5 |\n| --- | --- | --- | --- |\n")
+    return QStringLiteral(
+               "\n## %1\n\n| %2 | Pastoso | %3 | %4 | %5 |\n| --- | --- | --- | --- | --- |\n")
         .arg(commands::plain_words(menu), words(QT_TRANSLATE_NOOP("pastoso::screens", "command")),
              words(QT_TRANSLATE_NOOP("pastoso::screens", "like Krita")),
              words(QT_TRANSLATE_NOOP("pastoso::screens", "like Photoshop")),
@@ -51,9 +52,10 @@ QString keys_of(KeySet set, commands::Command command) {
 }
 
 QString line_of(const CommandText& text) {
-    return QStringLiteral("| %1 | %2 | %3 | %4 |\n")
-        .arg(commands::plain_words(text.words), keys_of(KeySet::Krita, text.command),
-             keys_of(KeySet::Photoshop, text.command), commands::words_of(text.hint));
+    return QStringLiteral("| %1 | %2 | %3 | %4 | %5 |\n")
+        .arg(commands::plain_words(text.words), keys_of(KeySet::Pastoso, text.command),
+             keys_of(KeySet::Krita, text.command), keys_of(KeySet::Photoshop, text.command),
+             commands::words_of(text.hint));
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ QKeySequence key_of(const std::string& text) {
 }
 
 void check_set(const std::string& name) {
-    if (!set_named(name)) throw core::InputError("\"%1\" is not one of krita and photoshop.", name);
+    if (!set_named(name))
+        throw core::InputError("\"%1\" is not one of pastoso, krita and photoshop.", name);
 }
 
 void check_key(const std::string& text) {
@@ -62,7 +63,7 @@ KeyBindings bindings_of(const tools::KeySettings& settings) {
         for (const std::string& text : texts)
             keys.append(key_of(text));
     }
-    return KeyBindings(set_named(settings.set).value_or(commands::KeySet::Krita), std::move(own));
+    return KeyBindings(set_named(settings.set).value_or(commands::KeySet::Pastoso), std::move(own));
 }
 
 }  // namespace
