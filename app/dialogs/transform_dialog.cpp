@@ -73,7 +73,9 @@ TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSize
     mirrors->addWidget(mirror_x_);
     mirrors->addWidget(mirror_y_);
     form->addRow(tr("Mirror"), mirrors);
-    auto* corners = new QLabel(tr("Drag with Ctrl: a corner alone, or a side askew."));
+    auto* corners =
+        new QLabel(tr("Drag with Ctrl: a corner alone, or a side askew. By keys: Tab chooses a corner, "
+                      "arrows move it, with Shift by ten pixels."));
     corners->setObjectName(QStringLiteral("corners"));
     corners->setWordWrap(true);
     form->addRow(tr("Corners"), corners);

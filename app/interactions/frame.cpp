@@ -28,7 +28,7 @@ glm::vec2 point(const glm::dvec2& place_mm) {
 
 std::vector<glm::vec2> corners(const tools::TransformFrame& frame) {
     std::vector<glm::vec2> points;
-    for (const glm::ivec2& side : {glm::ivec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+    for (const glm::ivec2& side : tools::kFrameCorners)
         points.push_back(point(tools::handle_mm(frame, side)));
     return points;
 }
@@ -53,6 +53,28 @@ QImage veil_of(const QImage& picture, const QImage& below) {
     return veil;
 }
 
+/// Of an arrow key, on the screen.
+std::optional<QPointF> way_of(int key) {
+    switch (key) {
+        case Qt::Key_Left:
+            return QPointF(-1.0, 0.0);
+        case Qt::Key_Right:
+            return QPointF(1.0, 0.0);
+        case Qt::Key_Up:
+            return QPointF(0.0, -1.0);
+        case Qt::Key_Down:
+            return QPointF(0.0, 1.0);
+        default:
+            return std::nullopt;
+    }
+}
+
+/// Of the keys 1 to 4.
+std::optional<std::size_t> corner_of(int key) {
+    if (key < Qt::Key_1 || key > Qt::Key_4) return std::nullopt;
+    return static_cast<std::size_t>(key - Qt::Key_1);
+}
+
 /// Puts a picture of that size where its corners, by their sides, are. False: it would fold.
 bool placed_picture(const QSizeF& size, const std::function<QPointF(const glm::ivec2& side)>& corner,
                     QTransform& placed) {
@@ -73,6 +95,7 @@ void Frame::show(std::optional<tools::TransformFrame> frame) {
     frame_ = std::move(frame);
     if (!frame_) {
         drag_.reset();
+        corner_.reset();
         picture_ = below_ = open_ = shown_ = veil_ = {};
     }
     canvas_.refresh();
@@ -108,14 +131,17 @@ Took Frame::press(const input::PointerEvent& event) {
 }
 
 /// A frame that would fold stays as it was last.
-void Frame::drag(const input::PointerEvent& event) {
-    if (!frame_ || !drag_) return;
-    const bool constrained = event.modifiers.testFlag(Qt::ShiftModifier);
-    const tools::TransformFrame wanted = tools::dragged(drag_->start, drag_->hold, drag_->from_mm,
-                                                        place_mm(event), constrained, canvas_.cell_mm());
+void Frame::take_unless_folded(const tools::TransformFrame& wanted) {
     if (!tools::problem_of(wanted).empty()) return;
     frame_ = wanted;
     Q_EMIT dragged(*frame_);
+}
+
+void Frame::drag(const input::PointerEvent& event) {
+    if (!frame_ || !drag_) return;
+    const bool constrained = event.modifiers.testFlag(Qt::ShiftModifier);
+    take_unless_folded(tools::dragged(drag_->start, drag_->hold, drag_->from_mm, place_mm(event),
+                                      constrained, canvas_.cell_mm()));
 }
 
 void Frame::release(const input::PointerEvent& event) {
@@ -129,8 +155,41 @@ void Frame::cancel() {
     Q_EMIT dragged(*frame_);
 }
 
+void Frame::choose_corner(std::optional<std::size_t> corner) {
+    corner_ = corner;
+    Q_EMIT corner_chosen();
+}
+
+void Frame::move_corner(const QPointF& way_px) {
+    const glm::ivec2& side = tools::kFrameCorners[*corner_];
+    const glm::dvec2 from_mm = tools::handle_mm(*frame_, side);
+    const glm::dvec2 to_mm = canvas_.canvas_mm(canvas_.widget_position(from_mm) + way_px);
+    take_unless_folded(tools::dragged(*frame_, {tools::FrameHold::Kind::Distort, side}, from_mm, to_mm,
+                                      false, canvas_.cell_mm()));
+    Q_EMIT corner_moved();
+}
+
+bool Frame::needs_key(const QKeyEvent& event) const {
+    if (!frame_ || drag_ || (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)))
+        return false;
+    if (corner_ && way_of(event.key())) return true;
+    return event.key() == Qt::Key_Tab || corner_of(event.key());
+}
+
+void Frame::key_of_corner(const QKeyEvent& event) {
+    const double step_px = event.modifiers().testFlag(Qt::ShiftModifier) ? 10.0 : 1.0;
+    if (const auto way = way_of(event.key())) return move_corner(step_px * *way);
+    if (event.key() != Qt::Key_Tab) return choose_corner(corner_of(event.key()));
+    const std::size_t next = corner_ ? *corner_ + 1 : 0;
+    choose_corner(next < tools::kFrameCorners.size() ? std::optional(next) : std::nullopt);
+}
+
 bool Frame::key(const QKeyEvent& event) {
     if (!frame_ || event.type() != QEvent::KeyPress) return false;
+    if (needs_key(event)) {
+        key_of_corner(event);
+        return true;
+    }
     if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
         drag_.reset();
         Q_EMIT accepted();
@@ -159,17 +218,20 @@ std::optional<QCursor> Frame::cursor() const {
     return appearance::scaling_cursor(way);
 }
 
-/// The box as it was is drawn faintly.
+/// The box as it was is drawn faintly, and a square around the handle of the chosen corner.
 void Frame::draw(const view::Overlay& overlay) {
     if (!frame_) return;
     constexpr float kFaint = 0.4F;
+    const auto draw_square = [&](const glm::ivec2& side, double half_px) {
+        const auto square = square_around(tools::handle_mm(*frame_, side), half_px * overlay.px_mm);
+        overlay.painter.draw_loop(square, overlay.canvas, 1.0F);
+    };
     draw_picture(overlay);
     overlay.painter.draw_loop(corners(as_it_was(*frame_)), overlay.canvas, kFaint);
     overlay.painter.draw_loop(corners(*frame_), overlay.canvas, 1.0F);
     for (const glm::ivec2& side : tools::kFrameHandles)
-        overlay.painter.draw_loop(
-            square_around(tools::handle_mm(*frame_, side), kHandle_px * overlay.px_mm), overlay.canvas,
-            1.0F);
+        draw_square(side, kHandle_px);
+    if (corner_) draw_square(tools::kFrameCorners[*corner_], 2.0 * kHandle_px);
 }
 
 /// The paint where it would come to lie.

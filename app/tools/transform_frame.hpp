@@ -51,6 +51,9 @@ glm::dvec2 handle_mm(const TransformFrame& frame, const glm::ivec2& side);
 inline constexpr std::array<glm::ivec2, 8> kFrameHandles = {
     {{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}}};
 
+/// The four of them that are corners, in the order of TransformFrame::pull_mm.
+inline constexpr std::array<glm::ivec2, 4> kFrameCorners = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+
 /// What a press takes hold of.
 struct FrameHold {
     enum class Kind { Move, Scale, Distort, Turn } kind = Kind::Move;

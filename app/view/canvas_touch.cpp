@@ -33,6 +33,12 @@ bool CanvasView::event(QEvent* event) {
             event->setAccepted(needed);
             return needed || QWidget::event(event);
         }
+        case QEvent::KeyPress: {  // before Tab, too, moves the keyboard on
+            auto* key = static_cast<QKeyEvent*>(event);
+            if (!interactions_.needs_key(*key)) return QWidget::event(event);
+            keyPressEvent(key);
+            return true;
+        }
         case QEvent::PaletteChange:  // another theme has another ground
             screen_->damage_all();
             return QWidget::event(event);

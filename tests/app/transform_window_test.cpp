@@ -1,7 +1,9 @@
 // Moving, scaling and turning paint in the real window: by dragging the frame, by keys and by numbers.
 #include "app/canvas_mouse.hpp"
 #include "app/window_fixture.hpp"
+#include "appearance/said_value.hpp"
 #include "dialogs/transform_dialog.hpp"
+#include "main/canvas/dialog_corner.hpp"
 #include "main/window_parts.hpp"
 
 #include <cmath>
@@ -280,6 +282,78 @@ TEST_F(TransformWindow, ControlPullsACornerIntoPerspective) {
     EXPECT_NE(hash(), film::state_hash(before->film));
     give(Command::Undo);
     EXPECT_EQ(hash(), film::state_hash(before->film));
+}
+
+TEST_F(TransformWindow, KeysPullCornersByPixelsOfTheScreen) {
+    const auto before = painting();
+    begin();
+    const interactions::Frame& shown = studio().on_canvas().frame;
+    const auto on_screen = [&](int x, int y) { return canvas().widget_position(handle(x, y)); };
+    const QPointF upper_left = on_screen(-1, -1), lower_right = on_screen(1, 1);
+    const glm::dvec2 upper_right = handle(1, -1);
+    key(Qt::Key_Left);
+    EXPECT_FALSE(frame()->is_distorted()) << "no corner is chosen";
+    key(Qt::Key_Tab);
+    EXPECT_EQ(shown.corner(), std::optional<std::size_t>(0));
+    EXPECT_FALSE(action(Command::CanvasOnly)->isChecked()) << "its key is the frame's now";
+    key(Qt::Key_Left);
+    key(Qt::Key_Up, Qt::ShiftModifier);
+    EXPECT_NEAR(on_screen(-1, -1).x(), upper_left.x() - 1.0, 1e-3);
+    EXPECT_NEAR(on_screen(-1, -1).y(), upper_left.y() - 10.0, 1e-3);
+    EXPECT_NEAR(handle(1, -1).x, upper_right.x, 1e-9);
+    EXPECT_NEAR(handle(1, -1).y, upper_right.y, 1e-9);
+    EXPECT_THAT(appearance::said_value(canvas()).toStdString(), HasSubstr("Upper left corner at"));
+    const double zoom = canvas().view_transform().zoom;
+    key(Qt::Key_3);
+    EXPECT_EQ(shown.corner(), std::optional<std::size_t>(2));
+    key(Qt::Key_1);
+    EXPECT_EQ(canvas().view_transform().zoom, zoom) << "it is no key of the view now";
+    key(Qt::Key_3);
+    key(Qt::Key_Right);
+    key(Qt::Key_Down);
+    EXPECT_NEAR(on_screen(1, 1).x(), lower_right.x() + 1.0, 1e-3);
+    EXPECT_NEAR(on_screen(1, 1).y(), lower_right.y() + 1.0, 1e-3);
+    key(Qt::Key_Tab);
+    key(Qt::Key_Tab);
+    EXPECT_EQ(shown.corner(), std::nullopt) << "after the last one none";
+    EXPECT_EQ(appearance::said_value(canvas()).toStdString(), "No corner is chosen");
+    key(Qt::Key_Return);
+    EXPECT_FALSE(frame().has_value());
+    EXPECT_NE(hash(), film::state_hash(before->film));
+    give(Command::Undo);
+    EXPECT_EQ(hash(), film::state_hash(before->film));
+    key(Qt::Key_Tab);
+    EXPECT_TRUE(action(Command::CanvasOnly)->isChecked());
+    key(Qt::Key_Tab);
+}
+
+TEST_F(TransformWindow, ArrowsMoveACornerAsItIsSeenInAMirror) {
+    give(Command::MirrorView);
+    begin();
+    const QPointF seen = canvas().widget_position(handle(-1, -1));
+    key(Qt::Key_1);
+    key(Qt::Key_Left);
+    EXPECT_NEAR(canvas().widget_position(handle(-1, -1)).x(), seen.x() - 1.0, 1e-3);
+    EXPECT_GT(frame()->pull_mm[0].x, 0.0);
+    key(Qt::Key_Escape);
+    give(Command::MirrorView);
+}
+
+TEST_F(TransformWindow, TheDialogOpensInTheFirstCornerThatIsFree) {
+    const QSize size(200, 300), view(1000, 800);
+    const auto place = [&](const QRect& frame) { return main::place_beside(frame, size, view); };
+    EXPECT_EQ(place({100, 500, 200, 200}), QPoint(784, 484)) << "on the other side";
+    EXPECT_EQ(place({600, 450, 380, 340}), QPoint(16, 484));
+    EXPECT_EQ(place({0, 400, 1000, 400}), QPoint(784, 16)) << "above it";
+    EXPECT_EQ(place({0, 0, 1000, 400}), QPoint(784, 484));
+    EXPECT_EQ(place({300, 0, 700, 800}), QPoint(16, 484));
+    EXPECT_EQ(place({-100, -100, 2000, 2000}), QPoint(16, 484)) << "there is no room";
+    begin();
+    const QRect dialog_is(canvas().mapFromGlobal(dialog()->pos()), dialog()->size());
+    for (const glm::ivec2& side : tools::kFrameHandles)
+        EXPECT_FALSE(
+            dialog_is.contains(canvas().widget_position(tools::handle_mm(*frame(), side)).toPoint()));
+    key(Qt::Key_Escape);
 }
 
 TEST_F(TransformWindow, ControlPullsASideAskewAndNoCornerFolds) {

@@ -13,4 +13,19 @@ inline void show_in_corner(QDialog& dialog, const QWidget& view) {
     dialog.show();
 }
 
+/// Where a dialog of that size hides nothing of what is taken in a view: its upper left corner in the
+/// first corner of the view that is free, at the side that is farther from what is taken, the lower one
+/// first. Where there is no room, in that one.
+inline QPoint place_beside(const QRect& taken, const QSize& size, const QSize& view) {
+    constexpr int kMargin_px = 16;
+    const int right = view.width() - size.width() - kMargin_px;
+    const int low = view.height() - size.height() - kMargin_px;
+    const bool is_left = 2 * taken.center().x() < view.width();
+    const int far = is_left ? right : kMargin_px, near = is_left ? kMargin_px : right;
+    for (const QPoint& corner :
+         {QPoint(far, low), QPoint(far, kMargin_px), QPoint(near, low), QPoint(near, kMargin_px)})
+        if (!QRect(corner, size).intersects(taken)) return corner;
+    return {far, low};
+}
+
 }  // namespace pastoso::main

@@ -1,31 +1,34 @@
 #include "main/layers/layer_transform.hpp"
 
 #include "appearance/picture_view.hpp"
+#include "appearance/said_value.hpp"
 #include "appearance/shown_message.hpp"
+#include "appearance/shown_number.hpp"
 #include "core/error.hpp"
 #include "core/thread_pool.hpp"
 #include "dialogs/transform_dialog.hpp"
 #include "document/layered_canvas.hpp"
 #include "document/masking.hpp"
 #include "layers/apart.hpp"
+#include "main/canvas/dialog_corner.hpp"
 #include "panels/pen/brush_panel.hpp"
 #include "session/layer_painter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
 #include <QAction>
 #include <QMainWindow>
 #include <QPainter>
+#include <QPolygonF>
 #include <QStatusBar>
 
 namespace pastoso::main {
 namespace {
 
 using commands::Command;
-
-constexpr int kMargin_px = 16;
 
 /// As fine as the paint in a frame is shown, along the longer side of the canvas.
 constexpr int kPicture_px = 640;
@@ -147,6 +150,8 @@ LayerTransform::LayerTransform(Studio& studio, panels::BrushPanel* brushes) : st
     connect(brushes, &panels::BrushPanel::brush_taken, this, &LayerTransform::cancel);
     connect(&studio_.on_canvas().frame, &interactions::Frame::accepted, this, &LayerTransform::apply);
     connect(&studio_.on_canvas().frame, &interactions::Frame::cancelled, this, &LayerTransform::cancel);
+    for (const auto told : {&interactions::Frame::corner_chosen, &interactions::Frame::corner_moved})
+        connect(&studio_.on_canvas().frame, told, this, &LayerTransform::say_corner);
     connect(&studio_, &Studio::session_ends, this, &LayerTransform::end);
     connect(&studio_, &Studio::published, this,
             [this](const auto& painting, const auto& status) { follow(*painting, status); });
@@ -189,7 +194,29 @@ void LayerTransform::show(const grid::Rect& cells, const document::Snapshot& pai
         "or a side alone. Enter applies, Esc gives up."));
 }
 
-/// In the lower corner that is farther from the frame, where it hides little.
+/// For those who do not see the mark.
+void LayerTransform::say_corner() {
+    const interactions::Frame& frame = studio_.on_canvas().frame;
+    if (!frame.corner()) return appearance::say_value(studio_.canvas(), tr("No corner is chosen"));
+    const std::array<QString, 4> names = {tr("Upper left corner"), tr("Upper right corner"),
+                                          tr("Lower right corner"), tr("Lower left corner")};
+    const glm::dvec2 place = tools::handle_mm(*frame.shown(), tools::kFrameCorners[*frame.corner()]);
+    appearance::say_value(studio_.canvas(),
+                          tr("%1 at %2, %3 mm")
+                              .arg(names[*frame.corner()], appearance::shown_number(place.x, 1),
+                                   appearance::shown_number(place.y, 1)));
+}
+
+/// The frame with its handles, on the canvas view.
+QRect LayerTransform::frame_on_view(const tools::TransformFrame& frame) const {
+    constexpr int kHandle_px = 12;
+    QPolygonF handles;
+    for (const glm::ivec2& side : tools::kFrameCorners)
+        handles << studio_.canvas().widget_position(tools::handle_mm(frame, side));
+    return handles.boundingRect().toAlignedRect().adjusted(-kHandle_px, -kHandle_px, kHandle_px,
+                                                           kHandle_px);
+}
+
 void LayerTransform::open_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm) {
     auto* dialog = new dialogs::TransformDialog(frame, canvas_mm, &studio_.window());
     dialog_ = dialog;
@@ -201,12 +228,8 @@ void LayerTransform::open_dialog(const tools::TransformFrame& frame, const QSize
             &dialogs::TransformDialog::show_frame);
     connect(dialog, &QDialog::accepted, this, &LayerTransform::apply);
     connect(dialog, &QDialog::rejected, this, &LayerTransform::cancel);
-    const QSize size = dialog->sizeHint();
-    const bool frame_is_left =
-        studio_.canvas().widget_position(frame.centre_mm()).x() < 0.5 * studio_.canvas().width();
-    const int x = frame_is_left ? studio_.canvas().width() - size.width() - kMargin_px : kMargin_px;
-    const int y = studio_.canvas().height() - size.height() - kMargin_px;
-    dialog->move(studio_.canvas().mapToGlobal(QPoint(x, y)));
+    const QPoint place = place_beside(frame_on_view(frame), dialog->sizeHint(), studio_.canvas().size());
+    dialog->move(studio_.canvas().mapToGlobal(place));
     dialog->show();
 }
 

@@ -9,6 +9,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QRect>
 #include <QSizeF>
 
 namespace pastoso::dialogs {
@@ -39,6 +40,8 @@ class LayerTransform : public QObject {
   private:
     void begin();
     void show(const grid::Rect& cells, const document::Snapshot& painting);
+    void say_corner();
+    QRect frame_on_view(const tools::TransformFrame& frame) const;
     void open_dialog(const tools::TransformFrame& frame, const QSizeF& canvas_mm);
     void apply();
     void follow(const document::Snapshot& painting, const session::Status& status);
