@@ -5,11 +5,12 @@
 
 namespace pastoso::main {
 
+inline constexpr int kFromEdge_px = 16;
+
 /// Shows it in a corner of the view, where it hides little.
 inline void show_in_corner(QDialog& dialog, const QWidget& view) {
-    constexpr int kMargin_px = 16;
-    const int y = view.height() - dialog.sizeHint().height() - kMargin_px;
-    dialog.move(view.mapToGlobal(QPoint(kMargin_px, y)));
+    const int y = view.height() - dialog.sizeHint().height() - kFromEdge_px;
+    dialog.move(view.mapToGlobal(QPoint(kFromEdge_px, y)));
     dialog.show();
 }
 
@@ -17,13 +18,12 @@ inline void show_in_corner(QDialog& dialog, const QWidget& view) {
 /// first corner of the view that is free, at the side that is farther from what is taken, the lower one
 /// first. Where there is no room, in that one.
 inline QPoint place_beside(const QRect& taken, const QSize& size, const QSize& view) {
-    constexpr int kMargin_px = 16;
-    const int right = view.width() - size.width() - kMargin_px;
-    const int low = view.height() - size.height() - kMargin_px;
+    const int right = view.width() - size.width() - kFromEdge_px;
+    const int low = view.height() - size.height() - kFromEdge_px;
     const bool is_left = 2 * taken.center().x() < view.width();
-    const int far = is_left ? right : kMargin_px, near = is_left ? kMargin_px : right;
+    const int far = is_left ? right : kFromEdge_px, near = is_left ? kFromEdge_px : right;
     for (const QPoint& corner :
-         {QPoint(far, low), QPoint(far, kMargin_px), QPoint(near, low), QPoint(near, kMargin_px)})
+         {QPoint(far, low), QPoint(far, kFromEdge_px), QPoint(near, low), QPoint(near, kFromEdge_px)})
         if (!QRect(corner, size).intersects(taken)) return corner;
     return {far, low};
 }
