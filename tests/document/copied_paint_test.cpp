@@ -4,6 +4,7 @@
 #include "document/painting_state.hpp"
 #include "document/player.hpp"
 #include "document/scenes.hpp"
+#include "layers/apart.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -174,6 +175,35 @@ TEST_F(CopyingPaint, ARecordingReplaysToTheSameBits) {
     EXPECT_EQ(hash_on(recording, 1), hash_on(recording, 3));
     recording.canvas.px_per_mm = 4.5;
     hash_on(recording, 2);
+}
+
+TEST_F(CopyingPaint, ARecordingPastesTheSamePieceAtAnyResolution) {
+    const auto box = [](double x0_mm, double y0_mm, double x1_mm, double y1_mm) {
+        return SelectArea{{{x0_mm, y0_mm}, {x1_mm, y0_mm}, {x1_mm, y1_mm}, {x0_mm, y1_mm}}};
+    };
+    Recording recording{.canvas = small_canvas(),
+                        .events = {{0, UseMedium{"soft-body acrylic"}},
+                                   {0, box(8, 5, 24, 20)},
+                                   {0, FillWithPaint{.paint = {{{"PB29", 1.0}}}, .thickness_mm = 0.2}},
+                                   {0, box(10, 5, 20, 20)},
+                                   {0, CopyPaint{1}},
+                                   {0, SelectAll{}},
+                                   {0, PastePaint{"Piece", 12.0, 6.0}}}};
+    for (const int px_per_mm : {3, 4, 7}) {
+        const int p = px_per_mm;
+        recording.canvas.px_per_mm = px_per_mm;
+        Painting again(recording.canvas, pool);
+        Player player(again, recording);
+        while (!player.finished())
+            player.play_tick();
+        ASSERT_EQ(again.layers().active, 1U);
+        again.apply(CopyPaint{again.layers().layers[1].id});
+        EXPECT_EQ(layers::painted_area(*again.snapshot().copied),
+                  (grid::Rect{22 * p, 11 * p, 32 * p, 26 * p}));
+        // The film and a piece of it; cells hold whole quanta.
+        EXPECT_NEAR(again.account().canvas.volume_mm3, 0.2 * (16.0 * 15.0 + 10.0 * 15.0), 1e-4) << p;
+        EXPECT_LT(again.account().volume_error_rel(), kRounding);
+    }
 }
 
 }  // namespace

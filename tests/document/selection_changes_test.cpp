@@ -2,6 +2,7 @@
 #include "document/error_of.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
+#include "document/player.hpp"
 #include "document/scenes.hpp"
 
 #include <gmock/gmock.h>
@@ -108,6 +109,31 @@ TEST_F(SelectionChanges, AnyNumberOfThreadsFindsTheSame) {
     const grid::Mask& found = *selection_of(painting);
     EXPECT_EQ(grid::chosen_cells(found), grid::chosen_cells(*selection_of(other)));
     EXPECT_EQ(grid::chosen_cells(grid::combined(found, *selection_of(other), Combination::Subtract)), 0);
+}
+
+TEST_F(SelectionChanges, ARecordingFindsTheSameColourAtAnyResolution) {
+    Recording recording{.canvas = canvas_of(4.0), .events = {{0, UseMedium{"soft-body acrylic"}}}};
+    const auto record_field = [&](const SelectArea& area, const char* pigment) {
+        recording.events.push_back({0, area});
+        recording.events.push_back({0, FillWithPaint{.paint = {{{pigment, 1.0}}}}});
+    };
+    record_field(box(4, 4, 12, 20), "PB29");
+    record_field(box(12, 4, 20, 20), "PR108");
+    record_field(box(26, 4, 34, 20), "PB29");
+    recording.events.push_back({0, SelectSimilarColour{8, 10}});
+    for (const int px_per_mm : {3, 4, 7}) {
+        const int p = px_per_mm;
+        recording.canvas.px_per_mm = px_per_mm;
+        Painting again(recording.canvas, pool);
+        Player player(again, recording);
+        while (!player.finished())
+            player.play_tick();
+        EXPECT_EQ(grid::chosen_area(*selection_of(again)), (grid::Rect{4 * p, 4 * p, 12 * p, 20 * p}));
+        EXPECT_NEAR(selected_mm2(again), 8.0 * 16.0, 1e-9) << "all of the field, at " << p;
+        again.apply(SelectSimilarColour{.x_mm = 8, .y_mm = 10, .connected = false});
+        EXPECT_EQ(grid::chosen_area(*selection_of(again)), (grid::Rect{4 * p, 4 * p, 34 * p, 20 * p}));
+        EXPECT_NEAR(selected_mm2(again), 2 * 8.0 * 16.0, 1e-9) << "both blue ones, at " << p;
+    }
 }
 
 TEST_F(SelectionChanges, PaintOfTheActiveLayerIsFoundWetAndDry) {
