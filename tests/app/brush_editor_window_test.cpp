@@ -5,6 +5,7 @@
 #include "panels/pen/brush_editor.hpp"
 #include "panels/pen/brush_list.hpp"
 #include "panels/pen/curves_panel.hpp"
+#include "panels/pen/preset_page.hpp"
 #include "panels/pen/preset_rows.hpp"
 #include "panels/pen/stroke_strip.hpp"
 
@@ -17,7 +18,7 @@
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace pastoso::tests {
 namespace {
@@ -124,9 +125,10 @@ TEST_F(BrushEditorWindow, AChoiceIsPaintedWithAsWell) {
 TEST_F(BrushEditorWindow, TheWidthIsTheOneThatTheToolIsHeldWith) {
     number("tip_width").setValue(31.0);
     EXPECT_EQ(hand().brush_width_mm, 31.0);
-    EXPECT_EQ(tools::preset_in_hand(hand()).tip.thickness_mm,
-              brush::find_preset("flat").tip.thickness_mm)
-        << "a number for itself";
+    const brush::Preset wide = brush::resized(brush::find_preset("flat"), 31.0);
+    EXPECT_EQ(tools::sized_preset_in_hand(hand()), wide) << "all of the tip goes with it";
+    EXPECT_NEAR(number("tip_thickness").value(), wide.tip.thickness_mm, 0.05);
+    EXPECT_FALSE(hand().own_preset.has_value()) << "it is the same tool";
     action(Command::SmallerBrush)->trigger();
     EXPECT_LT(hand().brush_width_mm, 31.0);
     EXPECT_NEAR(number("tip_width").value(), hand().brush_width_mm, 0.05);
@@ -157,6 +159,31 @@ TEST_F(BrushEditorWindow, OneNumberIsResetForItself) {
     EXPECT_FALSE(film.isEnabled());
     action(Command::SmallerBrush)->trigger();
     EXPECT_FALSE(thickness.isEnabled()) << "it goes with the width";
+}
+
+TEST_F(BrushEditorWindow, AWidthThatIsTypedLightsNoOtherArrow) {
+    const auto lit = [this] {
+        std::vector<std::string> names;
+        for (const auto* page : editor().findChildren<panels::PresetPageView*>())
+            for (const auto* reset : page->findChildren<QToolButton*>())
+                if (reset->isEnabled()) names.push_back(reset->objectName().toStdString());
+        return names;
+    };
+    EXPECT_THAT(lit(), testing::IsEmpty());
+    number("tip_width").setValue(31.0);
+    EXPECT_THAT(lit(), testing::ElementsAre("tip_width_reset"));
+    auto& as_saved = *editor().findChild<QToolButton*>(QStringLiteral("tip_width_reset"));
+    as_saved.click();
+    EXPECT_THAT(lit(), testing::IsEmpty());
+    number("paint_film").setValue(0.4);
+    number("tip_width").setValue(15.0);
+    EXPECT_THAT(lit(), testing::UnorderedElementsAre("tip_width_reset", "paint_film_reset"));
+    as_saved.click();
+    EXPECT_EQ(hand().brush_width_mm, 20.0);
+    EXPECT_EQ(number("tip_width").value(), 20.0);
+    EXPECT_THAT(lit(), testing::ElementsAre("paint_film_reset"));
+    stroke();
+    EXPECT_EQ(last_taken().size_mm, 20.0);
 }
 
 TEST_F(BrushEditorWindow, CurvesStandInOnePlaceAtATime) {

@@ -43,6 +43,10 @@ void BrushEditing::make() {
         studio_.easel().change_brush(preset, preset.tip.width_mm);
         studio_.show_hand();
     });
+    connect(editor_, &panels::BrushEditor::width_chosen, this, [this](double width_mm) {
+        studio_.easel().change_brush(tools::preset_in_hand(studio_.easel().hand()), width_mm);
+        studio_.show_hand();
+    });
 }
 
 int BrushEditing::page() const {

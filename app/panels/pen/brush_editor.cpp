@@ -104,6 +104,7 @@ QWidget* BrushEditor::make_pages() {
     for (const PresetPage& page : preset_pages()) {
         auto* numbers = new PresetPageView(page);
         connect(numbers, &PresetPageView::edited, this, &BrushEditor::edit);
+        connect(numbers, &PresetPageView::width_chosen, this, &BrushEditor::width_chosen);
         numbers_.push_back(numbers);
         add_page(translated(page.words), numbers);
     }

@@ -39,6 +39,8 @@ class BrushEditor : public QDialog {
   Q_SIGNALS:
     /// What the tool in hand is like from now on, its width among the rest.
     void edited(const brush::Preset& preset);
+    /// How wide the same tool is held from now on: its other measures go with that, as with the size.
+    void width_chosen(double width_mm);
     /// It has come, or gone.
     void shown(bool visible);
 

@@ -7,6 +7,7 @@
 #include "panels/pen/preset_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include <QComboBox>
@@ -21,8 +22,14 @@ namespace {
 /// tool is held with.
 double kept_number(const brush::PresetField& field, const brush::Preset& kept,
                    const brush::Preset& in_hand) {
-    const bool is_width = field.section == "tip" && field.key == "width";
-    return field.get(is_width ? kept : brush::resized(kept, in_hand.tip.width_mm));
+    if (is_width(field)) return field.get(kept);
+    return field.get(brush::within_ranges(brush::resized(kept, in_hand.tip.width_mm)));
+}
+
+/// But for the rounding of what has gone with the width to and fro.
+bool is_same(double number, double kept) {
+    constexpr double kRounding = 1e-9;
+    return std::abs(number - kept) <= kRounding * std::abs(kept);
 }
 
 }  // namespace
@@ -83,14 +90,12 @@ void PresetPageView::add(const PresetPage& page, const PresetRow& row) {
     const QString explanation = explanation_of(page, row);
     auto* value = new ValueRow(grid_, QStringLiteral("%1_%2").arg(page.section, row.key),
                                translated(row.words), explanation, range_of(page, row));
-    QToolButton* reset = add_reset(
-        QStringLiteral("%1_%2").arg(page.section, row.key), translated(row.words), [this, &field] {
-            edit(brush::with_number(preset_, field, kept_number(field, kept_, preset_)));
-        });
+    QToolButton* reset =
+        add_reset(QStringLiteral("%1_%2").arg(page.section, row.key), translated(row.words),
+                  [this, &field] { change(field, kept_number(field, kept_, preset_)); });
     QWidget* below = add_explanation(explanation);
-    connect(value, &ValueRow::chosen, this, [this, &row, &field](double shown) {
-        edit(brush::with_number(preset_, field, shown / row.scale));
-    });
+    connect(value, &ValueRow::chosen, this,
+            [this, &row, &field](double shown) { change(field, shown / row.scale); });
     shown_.push_back({[&field](brush::ToolKind kind) { return brush::applies_to(field, kind); },
                       [value, reset, below](bool visible) {
                           value->setVisible(visible);
@@ -99,7 +104,8 @@ void PresetPageView::add(const PresetPage& page, const PresetRow& row) {
                       },
                       [this, value, reset, &row, &field] {
                           value->show_value(row.scale * field.get(preset_));
-                          reset->setEnabled(field.get(preset_) != kept_number(field, kept_, preset_));
+                          reset->setEnabled(
+                              !is_same(field.get(preset_), kept_number(field, kept_, preset_)));
                       }});
 }
 
@@ -124,6 +130,13 @@ QToolButton* PresetPageView::add_reset(const QString& name, const QString& words
     grid_->addWidget(button, grid_->rowCount() - 1, 3);
     connect(button, &QToolButton::clicked, this, reset);
     return button;
+}
+
+void PresetPageView::change(const brush::PresetField& field, double value) {
+    if (is_width(field))
+        Q_EMIT width_chosen(value);
+    else
+        edit(brush::with_number(preset_, field, value));
 }
 
 void PresetPageView::edit(const brush::Preset& preset) {

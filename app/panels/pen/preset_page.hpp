@@ -31,6 +31,8 @@ class PresetPageView : public QWidget {
   Q_SIGNALS:
     /// The tool that was shown, with one thing changed.
     void edited(const brush::Preset& preset);
+    /// How wide it is to be held; what else that changes is to be shown.
+    void width_chosen(double width_mm);
 
   private:
     void add(const PresetChoice& choice);
@@ -38,6 +40,7 @@ class PresetPageView : public QWidget {
     QWidget* add_explanation(const QString& words);
     QToolButton* add_reset(const QString& name, const QString& words,
                            const std::function<void()>& reset);
+    void change(const brush::PresetField& field, double value);
     void edit(const brush::Preset& preset);
     void show_all();
 

@@ -102,11 +102,14 @@ const brush::PresetField& field_of(const PresetPage& page, const PresetRow& row)
     return *found;
 }
 
+bool is_width(const brush::PresetField& field) {
+    return field.section == "tip" && field.key == "width";
+}
+
 ValueRange range_of(const PresetPage& page, const PresetRow& row) {
     const brush::PresetField& field = field_of(page, row);
-    const bool is_width = field.section == "tip" && field.key == "width";
-    const double least = is_width ? tools::kSmallestBrush_mm : field.low;
-    const double most = is_width ? tools::kLargestBrush_mm : field.high;
+    const double least = is_width(field) ? tools::kSmallestBrush_mm : field.low;
+    const double most = is_width(field) ? tools::kLargestBrush_mm : field.high;
     return {row.scale * least,    row.scale * most, row.decimals,
             translated(row.unit), row.logarithmic,  row.usual};
 }

@@ -31,6 +31,9 @@ std::span<const PresetPage> preset_pages();
 
 const brush::PresetField& field_of(const PresetPage& page, const PresetRow& row);
 
+/// Whether it is how wide the tool is held: with it go the other measures of the tip.
+bool is_width(const brush::PresetField& field);
+
 /// Of the shown number: what the field allows, and for a width what a hand can hold.
 ValueRange range_of(const PresetPage& page, const PresetRow& row);
 
