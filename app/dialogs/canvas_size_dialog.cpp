@@ -106,6 +106,8 @@ QDoubleSpinBox* CanvasSizeDialog::add_side(const QString& name, double value_mm)
     auto* box = new UnitBox(read_length_mm, name, tr(" mm"));
     box->setRange(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm);
     box->setValue(value_mm);
+    box->read_pixels_at([this] { return canvas_.px_per_mm; });
+    box->setToolTip(tr("Other units may be typed as well: 50 cm, 20 in, 3000 px"));
     connect(box, &QDoubleSpinBox::valueChanged, this, &CanvasSizeDialog::show_outcome);
     return box;
 }

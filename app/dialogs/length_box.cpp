@@ -2,8 +2,13 @@
 
 #include "core/units.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QToolTip>
 
 namespace pastoso::dialogs {
 namespace {
@@ -27,6 +32,11 @@ std::optional<double> read(const QString& words, const QLocale& locale, const Un
         if (is_number) return value * unit.worth;
     }
     return {};
+}
+
+std::optional<double> read_pixels(const QString& words, const QLocale& locale) {
+    constexpr Unit kUnits[] = {{QLatin1String("px"), 1.0}, {QLatin1String("pixels"), 1.0}};
+    return read(words, locale, kUnits);
 }
 
 }  // namespace
@@ -57,11 +67,19 @@ UnitBox::UnitBox(Reader reader, const QString& name, const QString& suffix, QWid
     setDecimals(kDecimals);
     setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     setSuffix(suffix);
+    // Said before the number follows what is typed.
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        if (!before_typing_) before_typing_ = value();
+    });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { before_typing_.reset(); });
 }
 
 std::optional<double> UnitBox::read(const QString& text) const {
     const QString typed = text.endsWith(suffix()) ? text.chopped(suffix().size()) : text;
-    return reader_(typed.trimmed().toLower(), locale());
+    const QString words = typed.trimmed().toLower();
+    if (const auto pixels = px_per_mm_ ? read_pixels(words, locale()) : std::nullopt)
+        return *pixels / px_per_mm_();
+    return reader_(words, locale());
 }
 
 /// What is not read yet may become so by more letters.
@@ -71,6 +89,31 @@ QValidator::State UnitBox::validate(QString& text, int& cursor) const {
     const bool is_number = QDoubleSpinBox::validate(text, cursor) != QValidator::Invalid;
     const bool begins_so = !text.trimmed().isEmpty() && text.trimmed().front().isDigit();
     return value || is_number || begins_so ? QValidator::Intermediate : QValidator::Invalid;
+}
+
+/// Each key that made a number has set it, and "3000 px" began with one.
+void UnitBox::fixup(QString& text) const {
+    const auto typed = read(text);
+    if (!typed && !text.isEmpty())
+        QToolTip::showText(mapToGlobal(QPoint(0, height())),
+                           tr("\"%1\" is not understood here; the number stays as it was.").arg(text),
+                           lineEdit());
+    const double kept =
+        typed ? std::clamp(*typed, minimum(), maximum()) : before_typing_.value_or(value());
+    text = textFromValue(kept) + suffix();
+}
+
+void UnitBox::stepBy(int steps) {
+    QDoubleSpinBox::stepBy(steps);
+    before_typing_.reset();
+}
+
+/// What is refused closes no dialog.
+void UnitBox::keyPressEvent(QKeyEvent* event) {
+    const bool ends = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const bool refused = ends && !read(text());
+    QDoubleSpinBox::keyPressEvent(event);
+    if (refused) event->accept();
 }
 
 double UnitBox::valueFromText(const QString& text) const {

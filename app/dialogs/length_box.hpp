@@ -1,14 +1,17 @@
 // Lengths and resolutions as painters know them: in millimetres, centimetres, metres, inches, or dpi.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include <QDoubleSpinBox>
 #include <QLocale>
 
 namespace pastoso::dialogs {
 
-/// A box for a number in one unit, into which another may be typed.
+/// A box for a number in one unit, into which another may be typed. What it cannot read it says, and the
+/// number stays what it was before that was typed.
 class UnitBox : public QDoubleSpinBox {
     Q_OBJECT
   public:
@@ -18,13 +21,23 @@ class UnitBox : public QDoubleSpinBox {
     /// Numbers have two decimals.
     UnitBox(Reader reader, const QString& name, const QString& suffix, QWidget* parent = nullptr);
 
+    /// Of a length in mm: pixels may be typed as well, of that resolution.
+    void read_pixels_at(std::function<double()> px_per_mm) { px_per_mm_ = std::move(px_per_mm); }
+
     QValidator::State validate(QString& text, int& cursor) const override;
+    void fixup(QString& text) const override;
     double valueFromText(const QString& text) const override;
+    void stepBy(int steps) override;
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     std::optional<double> read(const QString& text) const;
 
     Reader reader_;
+    std::function<double()> px_per_mm_{};  ///< none: pixels are not read
+    std::optional<double> before_typing_;
 };
 
 /// What the box says; or `exact`, where that is what it shows, rounded for reading.

@@ -86,7 +86,8 @@ QDoubleSpinBox* NewCanvasDialog::add_side(const QString& name, double value_mm) 
     auto* box = new UnitBox(read_length_mm, name, tr(" mm"));
     box->setRange(document::kMinCanvasSide_mm, document::kMaxCanvasSide_mm);
     box->setValue(value_mm);
-    box->setToolTip(tr("Other units may be typed as well: 50 cm, 20 in"));
+    box->read_pixels_at([this] { return density_->value(); });
+    box->setToolTip(tr("Other units may be typed as well: 50 cm, 20 in, 3000 px"));
     return box;
 }
 

@@ -44,14 +44,10 @@ ScaleDialog::ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent
       summary_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Scale the image"));
-    const QString lengths = tr("Other units may be typed as well: 50 cm, 20 in");
-    width_ = number(new UnitBox(read_length_mm, QStringLiteral("width_mm"), tr(" mm")), canvas.width_mm);
-    height_ =
-        number(new UnitBox(read_length_mm, QStringLiteral("height_mm"), tr(" mm")), canvas.height_mm);
+    width_ = side(QStringLiteral("width_mm"), canvas.width_mm);
+    height_ = side(QStringLiteral("height_mm"), canvas.height_mm);
     density_ =
         number(new UnitBox(read_px_per_mm, QStringLiteral("px_per_mm"), tr(" px/mm")), canvas.px_per_mm);
-    width_.box->setToolTip(lengths);
-    height_.box->setToolTip(lengths);
     density_.box->setToolTip(tr("Dots per inch may be typed as well: 127 dpi"));
     proportions_->setObjectName(QStringLiteral("proportions"));
     proportions_->setChecked(true);
@@ -80,6 +76,13 @@ ScaleDialog::ScaleDialog(const document::CanvasSettings& canvas, QWidget* parent
     form->addRow(buttons_);
     width_.box->selectAll();
     show_outcome();
+}
+
+ScaleDialog::Number ScaleDialog::side(const QString& name, double value_mm) {
+    auto* box = new UnitBox(read_length_mm, name, tr(" mm"));
+    box->read_pixels_at([this] { return density_.box->value(); });
+    box->setToolTip(tr("Other units may be typed as well: 50 cm, 20 in, 3000 px"));
+    return number(box, value_mm);
 }
 
 ScaleDialog::Number ScaleDialog::number(QDoubleSpinBox* box, double value) {

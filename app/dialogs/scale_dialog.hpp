@@ -26,6 +26,7 @@ class ScaleDialog : public GrowingDialog {
         double set_change = 1.0;
         double change() const;
     };
+    Number side(const QString& name, double value_mm);
     static Number number(QDoubleSpinBox* box, double value);
     void keep_proportions(const Number& typed, Number& other);
     void show_outcome();

@@ -96,6 +96,30 @@ class CanvasSize : public WindowTest {
     }
 };
 
+TEST_F(CanvasSize, PixelsAreReadByTheResolution) {
+    const auto type = [](QDialog& dialog, const char* name, const char* words) {
+        auto* box = dialog.findChild<QDoubleSpinBox*>(QLatin1String(name));
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QLatin1String(words));
+        QTest::keyClick(box, Qt::Key_Tab);
+    };
+    const document::CanvasSettings canvas = canvas_settings();
+    ASSERT_EQ(canvas.px_per_mm, 4.0);
+    in_dialog([&](dialogs::CanvasSizeDialog& dialog) {
+        type(dialog, "width_mm", "200 px");
+        EXPECT_EQ(box(dialog, "width_mm").value(), 50.0);
+    });
+    dialogs::ScaleDialog scale(canvas, &window());
+    scale.show();
+    wait_until_shown(scale);
+    type(scale, "width_mm", "480 px");
+    EXPECT_EQ(scale.wanted(), (document::ScaleCanvas{2.0, 2.0, 1.0}));
+    type(scale, "px_per_mm", "8");
+    type(scale, "width_mm", "480px");
+    EXPECT_EQ(scale.wanted(), (document::ScaleCanvas{1.0, 1.0, 2.0})) << "by the resolution to be";
+}
+
 TEST_F(CanvasSize, WhatIsPaintedStaysWhereItIsOnTheScreenWithItsGuides) {
     give(Command::MirrorSymmetry);
     mouse_stroke(line_mm({10.0, 10.0}, {20.0, 20.0}));

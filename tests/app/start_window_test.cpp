@@ -3,6 +3,7 @@
 #include "commands/recent_paintings.hpp"
 #include "core/temporary_folder.hpp"
 #include "core/text_file.hpp"
+#include "dialogs/length_dialog.hpp"
 #include "dialogs/new_canvas_dialog.hpp"
 #include "dialogs/recovery_dialog.hpp"
 #include "dialogs/transform_dialog.hpp"
@@ -31,6 +32,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <QToolTip>
 #include <QUrl>
 #include <gmock/gmock.h>
 
@@ -299,6 +301,43 @@ TEST_F(StartWindow, ANewCanvasIsTypedInAnyUnit) {
     EXPECT_DOUBLE_EQ(dialog.settings().px_per_mm, 5.0);
     const QString summary = dialog.findChild<QLabel*>(QStringLiteral("summary"))->text();
     EXPECT_THAT(summary.toStdString(), HasSubstr("2500 × 1000 pixels, 127 dpi"));
+    type(box("width_mm"), "3000 px");
+    EXPECT_DOUBLE_EQ(dialog.settings().width_mm, 600.0) << "at 5 px/mm";
+}
+
+TEST_F(StartWindow, ALengthThatIsNotUnderstoodIsSaidAndChangesNothing) {
+    dialogs::NewCanvasDialog dialog(canvas_settings(), 6.0);
+    dialog.show();
+    wait_until_shown(dialog);
+    QApplication::setActiveWindow(&dialog);
+    auto* width = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("width_mm"));
+    width->setValue(250.0);
+    width->setFocus();
+    width->selectAll();
+    QTest::keyClicks(width, QStringLiteral("300 yd"));
+    QTest::keyClick(width, Qt::Key_Return);
+    EXPECT_EQ(dialog.settings().width_mm, 250.0) << "not 300 mm, which it began with";
+    EXPECT_THAT(QToolTip::text().toStdString(), HasSubstr("\"300 yd\" is not understood here"));
+    EXPECT_TRUE(dialog.isVisible()) << "there is no canvas of another size than was typed";
+    width->selectAll();
+    QTest::keyClicks(width, QStringLiteral("99999999"));
+    QTest::keyClick(width, Qt::Key_Return);
+    EXPECT_EQ(dialog.settings().width_mm, document::kMaxCanvasSide_mm) << "as much as there can be";
+
+    dialogs::ThicknessDialog thickness({.title = {},
+                                        .explanation = {},
+                                        .name = {},
+                                        .button = {},
+                                        .least_mm = 0.01,
+                                        .most_mm = 2.0,
+                                        .proposal_mm = 0.2});
+    thickness.show();
+    wait_until_shown(thickness);
+    auto* length = thickness.findChild<QDoubleSpinBox*>(QStringLiteral("length_mm"));
+    length->selectAll();
+    QTest::keyClicks(length, QStringLiteral("1 px"));
+    QTest::keyClick(length, Qt::Key_Return);
+    EXPECT_EQ(thickness.chosen_mm(), 0.2) << "no resolution is at hand";
 }
 
 TEST_F(StartWindow, ALengthGrowsByItsArrow) {
