@@ -268,6 +268,28 @@ TEST_F(CurvesWindow, ARemovedCurveIsGoneAndComesBackAsItWasKept) {
 
 // ---- the painter's own
 
+TEST_F(BrushesWindow, ShiftAndF10OpenTheMenuOfAList) {
+    const auto offered = [&](QWidget& of) {
+        QStringList words;
+        QTimer closing;
+        QObject::connect(&closing, &QTimer::timeout, &closing, [&words] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            if (menu == nullptr) return;
+            for (const QAction* choice : menu->actions())
+                words += choice->text();
+            menu->close();
+        });
+        closing.start(5);
+        QTest::keyClick(&of, Qt::Key_F10, Qt::ShiftModifier);
+        return words;
+    };
+    list().setCurrentRow(1);
+    EXPECT_TRUE(offered(list()).contains(QStringLiteral("New tag...")));
+    EXPECT_TRUE(
+        offered(*window().findChild<panels::LayerTree*>()).contains(action(Command::AddLayer)->text()));
+    EXPECT_TRUE(offered(canvas()).isEmpty()) << "it has the pop-up palette";
+}
+
 TEST_F(BrushesWindow, TheBrushInHandIsInView) {
     settle();
     ASSERT_EQ(list().currentItem(), listed(QStringLiteral("Flat bristle 20")));

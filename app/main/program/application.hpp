@@ -14,6 +14,7 @@ class Application : public QApplication {
     Application(int& argc, char** argv);
 
     /// What a slot or a widget throws ends the event alone; it is told and goes to the error stream.
+    /// Shift+F10 opens the menu of what has the keyboard, as the Menu key does.
     bool notify(QObject* receiver, QEvent* event) override;
 
   Q_SIGNALS:
