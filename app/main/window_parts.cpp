@@ -50,7 +50,7 @@ WindowParts::WindowParts(Studio& studio, const PanelSet& panels, bool keeps_jour
       memory(studio, panels, light, undo, well, start, brush_editing, tour),
       workspaces(studio, panels),
       new_window(studio),
-      dropped(studio, files, pictures, tracing, references, new_window),
+      dropped(studio, files, pictures, clipboard, tracing, references, new_window),
       keys(studio, panels),
       colours(studio),
       preferences(studio, undo, colours),

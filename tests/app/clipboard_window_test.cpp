@@ -1,14 +1,19 @@
 // Paint that is copied, cut and pasted in the window, and pictures of other programs.
 #include "app/window_fixture.hpp"
+#include "core/temporary_folder.hpp"
 
+#include <algorithm>
 #include <variant>
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
+#include <QDropEvent>
 #include <QGuiApplication>
 #include <QImage>
 #include <QMimeData>
 #include <QTest>
+#include <QUrl>
 #include <gmock/gmock.h>
 
 namespace pastoso::tests {
@@ -181,6 +186,57 @@ TEST_F(ClipboardWindow, OnACanvasThatDoesNotReachSoFarItLiesInTheMiddle) {
     EXPECT_GT(thickness_of_active({10.0, 20.0}), 0);
     EXPECT_EQ(thickness_of_active({4.0, 20.0}), 0);
     EXPECT_EQ(thickness_of_active({16.0, 20.0}), 0);
+}
+
+TEST_F(ClipboardWindow, FilesOfPicturesThatWereCopiedBecomeLayers) {
+    press_keys(Qt::Key_C);
+    const TemporaryFolder folder;
+    QList<QUrl> addresses;
+    for (const char* name : {"red.png", "blue.png"}) {
+        QImage plain(30, 20, QImage::Format_RGB888);
+        plain.fill(Qt::red);
+        const QString file = QString::fromStdString((folder.path() / name).string());
+        ASSERT_TRUE(plain.save(file));
+        addresses.push_back(QUrl::fromLocalFile(file));
+    }
+    auto* files = new QMimeData;
+    files->setUrls(addresses);
+    QGuiApplication::clipboard()->setMimeData(files);
+    press_keys(Qt::Key_V);
+    loaded();
+    settle();
+    ASSERT_EQ(layer_count(), 3U) << "they were copied last";
+    EXPECT_EQ(state().value.layers.layers[1].look.name, "red");
+    EXPECT_EQ(state().value.layers.layers[2].look.name, "blue");
+    give(Command::Undo);
+    EXPECT_EQ(layer_count(), 1U);
+}
+
+TEST_F(ClipboardWindow, PaintDraggedFromAnotherWindowIsPastedWhereItFalls) {
+    const std::int32_t painted = thickness_of_active({30.0, 20.0});
+    select(28.0, 32.0);
+    press_keys(Qt::Key_C);
+    QMimeData dragged;
+    const QString format = QStringLiteral("application/x-pastoso-paint");
+    dragged.setData(format, QGuiApplication::clipboard()->mimeData()->data(format));
+    open_window(60.0);
+    const QPoint on_canvas = canvas().widget_position({20.0, 10.0}).toPoint();
+    const QPoint place = canvas().mapTo(&window(), on_canvas);
+    QDragEnterEvent enter(place, Qt::CopyAction, &dragged, Qt::LeftButton, {});
+    QApplication::sendEvent(&window(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent fall(place, Qt::CopyAction, &dragged, Qt::LeftButton, {});
+    QApplication::sendEvent(&window(), &fall);
+    settle();
+    ASSERT_EQ(layer_count(), 2U);
+    // The place is a whole pixel, and the stroke is as high as its hairs reach.
+    std::int32_t most = 0;
+    for (double y_mm = 7.0; y_mm < 13.0; y_mm += 0.25)
+        most = std::max(most, thickness_of_active({20.0, y_mm}));
+    EXPECT_GT(most, painted / 2);
+    EXPECT_EQ(thickness_of_active({30.0, 20.0}), 0);
+    give(Command::Undo);
+    EXPECT_EQ(layer_count(), 1U);
 }
 
 TEST_F(ClipboardWindow, BytesThatAreNoPaintAreRefusedInASentence) {

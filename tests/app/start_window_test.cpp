@@ -136,6 +136,9 @@ class StartWindow : public WindowTest {
         for (const std::filesystem::path& file : files)
             addresses.push_back(QUrl::fromLocalFile(QString::fromStdString(file.string())));
         data.setUrls(addresses);
+        drop_data(data);
+    }
+    void drop_data(const QMimeData& data) {
         QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(&window(), &enter);
         EXPECT_TRUE(enter.isAccepted());
@@ -578,6 +581,26 @@ TEST_F(StartWindow, OfADraggedPictureThePainterSaysWhatBecomesOfIt) {
     core::write_text_file(text, "Dear painter");
     drop(text);
     EXPECT_EQ(told(), "letter.txt is no painting and no picture that can be opened.");
+}
+
+TEST_F(StartWindow, APictureWithoutAFileIsTakenAsOneWith) {
+    QImage plain(30, 20, QImage::Format_RGB32);
+    plain.fill(QColor(200, 30, 20));
+    const auto drop_picture = [&](int choice) {
+        QMimeData data;
+        data.setUrls({QUrl(QStringLiteral("https://example.org/red.png"))});
+        data.setImageData(plain);
+        drop_data(data);
+        answer(choice);
+    };
+    drop_picture(0);
+    ASSERT_EQ(session().snapshot()->layers->layers.size(), 2U);
+    EXPECT_EQ(session().snapshot()->layers->layers[1].look.name, "Picture");
+    drop_picture(1);
+    ASSERT_NE(session().snapshot()->tracing, nullptr);
+    EXPECT_EQ(session().snapshot()->tracing->picture->width, 30);
+    drop_picture(2);
+    EXPECT_NE(session().snapshot()->references, nullptr);
 }
 
 TEST_F(StartWindow, OfPicturesDraggedTogetherThePainterSaysItOnce) {

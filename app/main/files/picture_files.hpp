@@ -1,7 +1,10 @@
-// The files of pictures that dialogs offer.
+// The files of pictures: those that dialogs offer, and those that are dragged or copied.
 #pragma once
 
+#include <QMimeData>
 #include <QString>
+#include <QStringList>
+#include <QUrl>
 
 namespace pastoso::main {
 
@@ -9,6 +12,14 @@ namespace pastoso::main {
 inline QString picture_endings() {
     return QStringLiteral(
         "*.png *.jpg *.jpeg *.tif *.tiff *.webp *.exr *.hdr *.bmp *.tga *.gif *.psd *.pgm *.ppm");
+}
+
+/// The paths of what is dragged or copied, as far as it is on this machine.
+inline QStringList local_files(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile()) paths.push_back(url.toLocalFile());
+    return paths;
 }
 
 }  // namespace pastoso::main

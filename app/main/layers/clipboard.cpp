@@ -4,14 +4,12 @@
 #include "appearance/shown_message.hpp"
 #include "core/error.hpp"
 #include "layers/apart.hpp"
-#include "layers/extent.hpp"
 #include "main/canvas/canvas_sizing.hpp"
+#include "main/files/picture_files.hpp"
+#include "main/layers/copied_mime.hpp"
 #include "main/layers/picture_layers.hpp"
 #include "main/wait_cursor.hpp"
 #include "recordings/paint_piece.hpp"
-#include "session/layer_painter.hpp"
-
-#include <utility>
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -22,54 +20,6 @@ namespace pastoso::main {
 namespace {
 
 using commands::Command;
-
-constexpr QLatin1String kImage("application/x-qt-image");
-constexpr QLatin1String kPaint("application/x-pastoso-paint");
-
-/// As much as the clipboard passes on of paint: a recording holds it, too.
-constexpr int kMostPaint_MB = 256;
-
-/// Copied paint for whoever asks: its bytes and its picture are made when somebody does, of nothing but
-/// the paint, since the window it was copied in may be gone then.
-class CopiedMime : public QMimeData {
-  public:
-    CopiedMime(document::CopiedPaint paint, const grid::Rect& area, const pigment::Bands& ground)
-        : paint_(std::move(paint)), area_(area), ground_(ground) {}
-
-    const document::CopiedPaint& paint() const { return paint_; }
-    QStringList formats() const override { return {kPaint, kImage}; }
-
-  protected:
-    QVariant retrieveData(const QString& format, QMetaType) const override {
-        if (format == kPaint) return bytes();
-        if (format != kImage) return {};
-        if (picture_.isNull()) picture_ = made_picture();
-        return picture_;
-    }
-
-  private:
-    /// None where they are too many.
-    QByteArray bytes() const {
-        if (!bytes_) {
-            bytes_ = QByteArray::fromStdString(recordings::piece_bytes(*paint_));
-            if (bytes_->size() > qsizetype{kMostPaint_MB} * 1'000'000) bytes_->clear();
-        }
-        return *bytes_;
-    }
-    QImage made_picture() const {
-        const grid::Shape shape{area_.width(), area_.height()};
-        const film::FilmState part = layers::on_extent(*paint_, {shape, area_.x0, area_.y0});
-        const session::LayerPicture picture =
-            session::layer_picture(part, ground_, shape.width, shape.height);
-        return appearance::view_of_rgba(picture.rgba, picture.width, picture.height).copy();
-    }
-
-    document::CopiedPaint paint_;
-    grid::Rect area_;
-    pigment::Bands ground_;
-    mutable std::optional<QByteArray> bytes_;
-    mutable QImage picture_;
-};
 
 /// Whether cells of the paint lie on a canvas, within a cell; both begin in the same corner.
 bool lie_on(const film::FilmState& canvas, const grid::Rect& cells, double cell_mm) {
@@ -132,22 +82,34 @@ void Clipboard::paste(std::optional<glm::dvec2> middle_mm) {
     const document::CopiedPaint copied = studio_.session().snapshot()->copied;
     const QMimeData* held = QGuiApplication::clipboard()->mimeData();
     const auto* own = dynamic_cast<const CopiedMime*>(held);
-    const bool holds_picture = held != nullptr && held->hasImage();
-    const bool holds_paint = held != nullptr && held->hasFormat(kPaint);
+    const bool holds_paint = held != nullptr && held->hasFormat(kPaintFormat);
+    const bool holds_other = held != nullptr && (held->hasImage() || !local_files(*held).isEmpty());
     const bool is_kept =
-        copied && ((!holds_picture && !holds_paint) || (own != nullptr && own->paint() == copied));
-    if (is_kept || (holds_paint && bring(*held)))
+        copied && ((!holds_paint && !holds_other) || (own != nullptr && own->paint() == copied));
+    if (is_kept || (holds_paint && bring(*held, tr("The clipboard"))))
         paste_copied(middle_mm);
-    else if (holds_picture)
-        pictures_.paint_picture(appearance::picture_of(qvariant_cast<QImage>(held->imageData())),
-                                tr("Pasted"));
+    else if (holds_other)
+        paste_pictures(*held);
     else if (!holds_paint)
         studio_.report(tr("There is nothing to paste: no paint and no picture has been copied."));
 }
 
-bool Clipboard::bring(const QMimeData& held) {
+void Clipboard::paste_dragged(const QMimeData& dragged, std::optional<glm::dvec2> middle_mm) {
+    if (is_canvas_lent(studio_)) return;
+    studio_.session().wait_until_applied();
+    if (bring(dragged, tr("What was dragged here"))) paste_copied(middle_mm);
+}
+
+void Clipboard::paste_pictures(const QMimeData& held) {
+    const QStringList files = local_files(held);
+    if (!files.isEmpty()) return pictures_.paint_pictures(files);
+    pictures_.paint_picture(appearance::picture_of(qvariant_cast<QImage>(held.imageData())),
+                            tr("Pasted"));
+}
+
+bool Clipboard::bring(const QMimeData& held, const QString& name) {
     const WaitCursor waiting;
-    const QByteArray bytes = held.data(kPaint);
+    const QByteArray bytes = held.data(kPaintFormat);
     if (bytes.isEmpty()) {
         studio_.report(tr("The copied paint is too large to go to another painting as paint (at most "
                           "%1 MB); a picture of it goes.")
@@ -155,9 +117,8 @@ bool Clipboard::bring(const QMimeData& held) {
         return false;
     }
     try {
-        const recordings::PaintPiece piece =
-            recordings::piece_of({bytes.constData(), static_cast<std::size_t>(bytes.size())},
-                                 tr("The clipboard").toStdString());
+        const recordings::PaintPiece piece = recordings::piece_of(
+            {bytes.constData(), static_cast<std::size_t>(bytes.size())}, name.toStdString());
         const document::BringPaint brought{piece.paint};
         // Pasted once more, it need not be in the recording again.
         if (document::BringPaint{studio_.session().snapshot()->copied} != brought)

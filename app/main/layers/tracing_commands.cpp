@@ -69,6 +69,11 @@ void TracingCommands::trace_picture(const QString& path) {
                    });
 }
 
+void TracingCommands::trace_picture(pigment::Picture picture) {
+    lay(std::make_shared<const pigment::Picture>(
+        layers::reduced(std::move(picture), kMostSide_px, kMostSide_px)));
+}
+
 void TracingCommands::lay(const std::shared_ptr<const pigment::Picture>& picture) {
     const layers::PicturePlace place =
         project::fitted_place(picture->width, picture->height, studio_.session().canvas());

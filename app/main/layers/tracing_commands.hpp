@@ -24,6 +24,9 @@ class TracingCommands : public QObject {
     /// large as it fits.
     void trace_picture(const QString& path);
 
+    /// The same of one that is in memory.
+    void trace_picture(pigment::Picture picture);
+
   private:
     void ask_trace_picture();
     void lay(const std::shared_ptr<const pigment::Picture>& picture);

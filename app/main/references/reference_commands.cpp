@@ -24,7 +24,6 @@
 #include <QMainWindow>
 #include <QMimeData>
 #include <QScreen>
-#include <QUrl>
 
 namespace pastoso::main {
 namespace {
@@ -46,13 +45,6 @@ document::SharedReferencePicture packed(pigment::Picture picture) {
     document::ReferencePicture kept{layers::reduced(std::move(picture), kMostSide_px, kMostSide_px), {}};
     kept.png = files::png_file(kept.pixels);
     return std::make_shared<const document::ReferencePicture>(std::move(kept));
-}
-
-QStringList local_files(const QMimeData& data) {
-    QStringList paths;
-    for (const QUrl& url : data.urls())
-        if (url.isLocalFile()) paths.push_back(url.toLocalFile());
-    return paths;
 }
 
 /// A panel that was never laid out would float small, and beside the screen.
@@ -118,14 +110,18 @@ void ReferenceCommands::add_files(const QStringList& paths, std::optional<QPoint
     add(QFileInfo(paths.front()).fileName(), std::move(sources), middle_mm);
 }
 
+void ReferenceCommands::add_picture(const QImage& image, std::optional<QPointF> middle_mm) {
+    add(tr("the picture"), {{tr("Picture"), [image] { return appearance::picture_of(image); }}},
+        middle_mm);
+}
+
 void ReferenceCommands::add_dragged(const QMimeData& data, std::optional<QPointF> middle_mm) {
     const QStringList paths = local_files(data);
     const auto image = data.hasImage() ? qvariant_cast<QImage>(data.imageData()) : QImage();
     if (!paths.isEmpty())
         add_files(paths, middle_mm);
     else if (!image.isNull())
-        add(tr("the picture"), {{tr("Picture"), [image] { return appearance::picture_of(image); }}},
-            middle_mm);
+        add_picture(image, middle_mm);
     else
         studio_.report(tr("There is no picture in it; save it as a file, and drag that here."));
 }

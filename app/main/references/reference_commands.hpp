@@ -15,6 +15,7 @@
 #include <QStringList>
 
 class QDockWidget;
+class QImage;
 class QMimeData;
 
 namespace pastoso::panels {
@@ -32,6 +33,9 @@ class ReferenceCommands : public QObject {
     /// Reads pictures beside the window and lays them on the board, beside what lies there or the first
     /// one about a point. What is no picture is told, and the others come.
     void add_files(const QStringList& paths, std::optional<QPointF> middle_mm = std::nullopt);
+
+    /// The same of one that is in memory.
+    void add_picture(const QImage& image, std::optional<QPointF> middle_mm = std::nullopt);
 
     /// The same of files that are dragged or copied, of a picture out of a browser or the clipboard.
     void add_dragged(const QMimeData& data, std::optional<QPointF> middle_mm);

@@ -1,0 +1,48 @@
+#include "main/layers/copied_mime.hpp"
+
+#include "appearance/picture_view.hpp"
+#include "layers/extent.hpp"
+#include "recordings/paint_piece.hpp"
+#include "session/layer_painter.hpp"
+
+#include <utility>
+
+namespace pastoso::main {
+namespace {
+
+constexpr QLatin1String kImage("application/x-qt-image");
+
+}  // namespace
+
+CopiedMime::CopiedMime(document::CopiedPaint paint, const grid::Rect& area, const pigment::Bands& ground)
+    : paint_(std::move(paint)), area_(area), ground_(ground) {}
+
+QStringList CopiedMime::formats() const {
+    return QMimeData::formats() + QStringList{kPaintFormat, kImage};
+}
+
+QVariant CopiedMime::retrieveData(const QString& format, QMetaType type) const {
+    if (format == kPaintFormat) return bytes();
+    if (format != kImage) return QMimeData::retrieveData(format, type);
+    if (picture_.isNull()) picture_ = made_picture();
+    return picture_;
+}
+
+/// None where they are too many.
+QByteArray CopiedMime::bytes() const {
+    if (!bytes_) {
+        bytes_ = QByteArray::fromStdString(recordings::piece_bytes(*paint_));
+        if (bytes_->size() > qsizetype{kMostPaint_MB} * 1'000'000) bytes_->clear();
+    }
+    return *bytes_;
+}
+
+QImage CopiedMime::made_picture() const {
+    const grid::Shape shape{area_.width(), area_.height()};
+    const film::FilmState part = layers::on_extent(*paint_, {shape, area_.x0, area_.y0});
+    const session::LayerPicture picture =
+        session::layer_picture(part, ground_, shape.width, shape.height);
+    return appearance::view_of_rgba(picture.rgba, picture.width, picture.height).copy();
+}
+
+}  // namespace pastoso::main
