@@ -1,10 +1,12 @@
 // The layers panel of the real window: paint on several layers, hide, lock, fade, move, group and name
 // them, by mouse and by keys.
 #include "app/window_fixture.hpp"
+#include "layers/apart.hpp"
 #include "main/window_parts.hpp"
 #include "panels/layers/layer_delegate.hpp"
 #include "panels/layers/layer_panel.hpp"
 #include "panels/layers/layer_tree.hpp"
+#include "recordings/paint_piece.hpp"
 
 #include <QAction>
 #include <QApplication>
@@ -89,7 +91,7 @@ class LayersWindow : public WindowTest {
     }
     /// Lets a row fall at a place in the list.
     void drop(const LayerRow& row, const QPoint& place) {
-        const std::unique_ptr<QMimeData> data(tree().layers().mimeData({tree().layers().index_of(row)}));
+        const std::unique_ptr<QMimeData> data = tree().dragged(tree().layers().index_of(row));
         QWidget* list = tree().viewport();
         QDragEnterEvent enter(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
         QApplication::sendEvent(list, &enter);
@@ -124,6 +126,41 @@ class LayersWindow : public WindowTest {
     void paint_upper_half() { mouse_stroke(line_mm({8.0, 10.0}, {52.0, 10.0})); }
     void paint_lower_half() { mouse_stroke(line_mm({8.0, 30.0}, {52.0, 30.0})); }
 };
+
+TEST_F(LayersWindow, ADraggedRowCarriesItsPaintToOtherWindowsAndPrograms) {
+    const auto dragged = [this](document::LayerId id) {
+        return tree().dragged(tree().layers().index_of(layer(id)));
+    };
+    const QString paint_format = QStringLiteral("application/x-pastoso-paint");
+    paint_upper_half();
+    settle();
+    give(Command::AddLayer);
+    const document::LayerId bare = stack().layers[1].id;
+    EXPECT_FALSE(dragged(bare)->hasImage()) << "there is nothing to see of it";
+    EXPECT_FALSE(dragged(bare)->hasFormat(paint_format));
+    paint_lower_half();
+    settle();
+
+    const auto upper_half = dragged(stack().layers[0].id);
+    const QByteArray bytes = upper_half->data(paint_format);
+    const recordings::PaintPiece piece = recordings::piece_of(
+        {bytes.constData(), static_cast<std::size_t>(bytes.size())}, "the dragged row");
+    const film::FilmState& kept = *session().snapshot()->layers->layers[0].inactive;
+    EXPECT_EQ(film::totals(*piece.paint).thickness, film::totals(kept).thickness);
+    const grid::Rect painted = layers::painted_area(kept);
+    EXPECT_EQ(layers::painted_area(*piece.paint), painted);
+    const auto picture = qvariant_cast<QImage>(upper_half->imageData());
+    EXPECT_EQ(picture.size(), QSize(painted.width(), painted.height()));
+    EXPECT_TRUE(picture.hasAlphaChannel()) << "without the canvas";
+
+    const QByteArray active = dragged(stack().layers[1].id)->data(paint_format);
+    const recordings::PaintPiece lower_half = recordings::piece_of(
+        {active.constData(), static_cast<std::size_t>(active.size())}, "the dragged row");
+    EXPECT_EQ(film::totals(*lower_half.paint).thickness,
+              film::totals(*session().snapshot()->active).thickness)
+        << "so does the one that is painted on";
+    EXPECT_EQ(session().snapshot()->copied, nullptr) << "nothing is copied by that";
+}
 
 TEST_F(LayersWindow, StartsWithOneLayerThatIsPaintedOn) {
     follow();

@@ -1,10 +1,13 @@
 #include "main/layers/copied_mime.hpp"
 
 #include "appearance/picture_view.hpp"
+#include "document/layered_canvas.hpp"
+#include "layers/apart.hpp"
 #include "layers/extent.hpp"
 #include "recordings/paint_piece.hpp"
 #include "session/layer_painter.hpp"
 
+#include <memory>
 #include <utility>
 
 namespace pastoso::main {
@@ -43,6 +46,18 @@ QImage CopiedMime::made_picture() const {
     const session::LayerPicture picture =
         session::layer_picture(part, ground_, shape.width, shape.height);
     return appearance::view_of_rgba(picture.rgba, picture.width, picture.height).copy();
+}
+
+CopiedMime* copied_layer(const document::Snapshot& painting, document::LayerId layer) {
+    const document::LayerStack& stack = *painting.layers;
+    const film::FilmState& active = painting.active != nullptr ? *painting.active : painting.film;
+    film::FilmState paint = *document::layers_apart(active, painting.bare->support_mm,
+                                                    stack)[document::place_of(stack, layer)];
+    paint.strata.evaporated = 0;
+    const grid::Rect area = layers::painted_area(paint);
+    if (area.empty()) return nullptr;
+    return new CopiedMime(std::make_shared<const film::FilmState>(std::move(paint)), area,
+                          painting.ground);
 }
 
 }  // namespace pastoso::main

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/actions/copy_actions.hpp"
+#include "document/painting.hpp"
 #include "grid/shape.hpp"
 #include "pigment/bands.hpp"
 
@@ -44,5 +45,8 @@ class CopiedMime : public QMimeData {
     mutable std::optional<QByteArray> bytes_;
     mutable QImage picture_;
 };
+
+/// All paint of a layer as it is in that snapshot; null where there is none. The caller's.
+CopiedMime* copied_layer(const document::Snapshot& painting, document::LayerId layer);
 
 }  // namespace pastoso::main

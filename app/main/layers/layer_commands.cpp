@@ -1,5 +1,6 @@
 #include "main/layers/layer_commands.hpp"
 
+#include "main/layers/copied_mime.hpp"
 #include "panels/layers/layer_panel.hpp"
 
 #include <algorithm>
@@ -27,6 +28,11 @@ LayerCommands::LayerCommands(Studio& studio, panels::LayerPanel* layers, QDockWi
     connect(layers_, &panels::LayerPanel::choice_changed, this, &LayerCommands::show_commands);
     connect(&studio_, &Studio::published, this,
             [this](const auto& painting) { layers_->show_layers(painting->layers); });
+    layers_->set_carried([this](const LayerRow& row) -> QMimeData* {
+        studio_.session().wait_until_applied();
+        if (row.group != 0) return nullptr;
+        return copied_layer(*studio_.session().snapshot(), row.layer);
+    });
     studio_.commands().on(Command::LayersPanel, [this](bool) { layers_->setFocus(Qt::TabFocusReason); });
     const auto to_chosen_layer = [this](auto action) {
         action.layer = layers_->chosen().layer;

@@ -179,6 +179,10 @@ void LayerPanel::edit_name() {
     tree_->edit_name(chosen_);
 }
 
+void LayerPanel::set_carried(std::function<QMimeData*(const LayerRow& row)> carried) {
+    tree_->set_carried(std::move(carried));
+}
+
 void LayerPanel::set_picture(document::LayerId layer, const QImage& picture, bool wet) {
     tree_->layers().set_picture(layer, picture, wet);
 }

@@ -5,6 +5,7 @@
 #include "document/events.hpp"
 #include "tools/layer_list.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,6 +15,7 @@
 
 class QAction;
 class QImage;
+class QMimeData;
 
 namespace pastoso::panels {
 
@@ -45,6 +47,9 @@ class LayerPanel : public QWidget {
     void choose(const tools::LayerRow& row);
     void set_look(const tools::LayerRow& row, const document::LayerLook& look);
     void edit_name();
+
+    /// What a row that is dragged carries besides its place in the list (LayerTree::Carried).
+    void set_carried(std::function<QMimeData*(const tools::LayerRow& row)> carried);
 
   Q_SIGNALS:
     void wanted(const document::Action& action);

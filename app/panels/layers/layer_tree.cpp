@@ -12,7 +12,6 @@
 #include <QDrag>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -173,15 +172,24 @@ QPixmap LayerTree::dragged_picture(const QModelIndex& index) {
     return faint;
 }
 
+std::unique_ptr<QMimeData> LayerTree::dragged(const QModelIndex& index) const {
+    std::unique_ptr<QMimeData> row(model_.mimeData({index}));
+    std::unique_ptr<QMimeData> carried(carried_ ? carried_(model_.row_at(index)) : nullptr);
+    if (carried == nullptr) return row;
+    for (const QString& format : row->formats())
+        carried->setData(format, row->data(format));
+    return carried;
+}
+
 /// Of several chosen rows the one that is grabbed is dragged.
 void LayerTree::startDrag(Qt::DropActions actions) {
     const QModelIndex grabbed = currentIndex();
     selectionModel()->select(grabbed, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
     auto* drag = new QDrag(this);
-    drag->setMimeData(model_.mimeData({grabbed}));
+    drag->setMimeData(dragged(grabbed).release());
     drag->setPixmap(dragged_picture(grabbed));
     drag->setHotSpot({-kBesidePointer, -kBesidePointer});
-    drag->exec(actions, Qt::MoveAction);
+    drag->exec(actions | Qt::CopyAction, Qt::MoveAction);
 }
 
 /// Just below the name of an open group is the uppermost place in it, where the line is drawn; Qt takes

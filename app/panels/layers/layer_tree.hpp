@@ -3,8 +3,12 @@
 
 #include "panels/layers/layer_model.hpp"
 
+#include <functional>
+#include <memory>
 #include <set>
+#include <utility>
 
+#include <QMimeData>
 #include <QPointer>
 #include <QTreeView>
 
@@ -24,6 +28,13 @@ class LayerTree : public QTreeView {
     /// Shows the layers with that row chosen, without a signal of that.
     void show(const document::LayerStack& stack, const tools::LayerRow& chosen);
     void edit_name(const tools::LayerRow& row);
+
+    /// What a row that is dragged carries besides its place in the list, for other windows and programs;
+    /// null: nothing. The drag's.
+    using Carried = std::function<QMimeData*(const tools::LayerRow& row)>;
+    void set_carried(Carried carried) { carried_ = std::move(carried); }
+    /// All that a drag of the row carries.
+    std::unique_ptr<QMimeData> dragged(const QModelIndex& index) const;
 
     /// One row is seen where there is no room for more.
     QSize minimumSizeHint() const override;
@@ -53,6 +64,7 @@ class LayerTree : public QTreeView {
     QPixmap dragged_picture(const QModelIndex& index);
 
     LayerModel model_;
+    Carried carried_;
     std::set<document::GroupId> folded_;
     bool showing_ = false;  ///< the choice is not the painter's
     bool icon_pressed_ = false;
