@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -58,6 +59,7 @@ NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, doubl
         if (support_->currentData().toString() == kImage) choose_image();
         write_summary();
     });
+    add_ground();
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("New canvas"));
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -69,6 +71,7 @@ NewCanvasDialog::NewCanvasDialog(const document::CanvasSettings& proposal, doubl
     form->addRow(tr("Height"), height_);
     form->addRow(tr("Resolution"), density_);
     form->addRow(tr("Support"), support_);
+    form->addRow(toned_, ground_);
     appearance::explain(form->labelForField(density_), appearance::Term::Resolution);
     appearance::explain(form->labelForField(support_), appearance::Term::Support);
     summary_->setWordWrap(true);
@@ -89,6 +92,24 @@ QDoubleSpinBox* NewCanvasDialog::add_side(const QString& name, double value_mm) 
     box->read_pixels_at([this] { return density_->value(); });
     box->setToolTip(tr("Other units may be typed as well: 50 cm, 20 in, 3000 px"));
     return box;
+}
+
+void NewCanvasDialog::add_ground() {
+    toned_ = new QCheckBox(tr("Toned ground"));
+    toned_->setObjectName(QStringLiteral("toned_ground"));
+    toned_->setToolTip(
+        tr("A dry coat of the paint in hand covers the whole canvas, on a layer of its own"));
+    ground_ = new UnitBox(read_length_mm, QStringLiteral("ground_mm"), tr(" mm"));
+    ground_->setRange(document::kLeastFill_mm, document::kMostFill_mm);
+    ground_->setValue(document::ToneGround{}.thickness_mm);
+    ground_->setToolTip(tr("0.02 mm tints the canvas, 0.1 mm covers it"));
+    ground_->setAccessibleName(tr("Thickness of the toned ground"));
+    ground_->setEnabled(false);
+    connect(toned_, &QCheckBox::toggled, ground_, &QWidget::setEnabled);
+}
+
+std::optional<double> NewCanvasDialog::ground_mm() const {
+    return toned_->isChecked() ? std::optional(ground_->value()) : std::nullopt;
 }
 
 void NewCanvasDialog::choose_image() {

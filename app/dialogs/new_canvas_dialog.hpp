@@ -4,6 +4,9 @@
 #include "dialogs/growing_dialog.hpp"
 #include "document/events.hpp"
 
+#include <optional>
+
+class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
@@ -20,8 +23,12 @@ class NewCanvasDialog : public GrowingDialog {
 
     document::CanvasSettings settings() const;
 
+    /// How thick the toned ground is to be while it is wet; none is wanted otherwise.
+    std::optional<double> ground_mm() const;
+
   private:
     QDoubleSpinBox* add_side(const QString& name, double value_mm);
+    void add_ground();
     void choose_image();
     QString pace_words(double px_per_mm) const;
     void write_summary();
@@ -31,6 +38,8 @@ class NewCanvasDialog : public GrowingDialog {
     QDoubleSpinBox* height_ = nullptr;
     QDoubleSpinBox* density_ = nullptr;
     QComboBox* support_ = nullptr;
+    QCheckBox* toned_ = nullptr;
+    QDoubleSpinBox* ground_ = nullptr;
     QString image_path_;
     QLabel* summary_ = nullptr;
     QDialogButtonBox* buttons_ = nullptr;

@@ -38,6 +38,7 @@ MainWindow::MainWindow(const document::CanvasSettings& canvas, bool keeps_journa
             &MaskingCommands::go_back_to_painting);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.files, &ProjectFiles::show_title);
     connect(&parts.sizing, &CanvasSizing::resized, &parts.view, &ViewCommands::name_canvas);
+    connect(&parts.files, &ProjectFiles::ground_wanted, &parts.fills, &FillCommands::tone_ground);
     connect(&parts.files, &ProjectFiles::about_to_keep, panels_.tracing, &panels::TracingPanel::finish);
     connect(&parts.files, &ProjectFiles::about_to_keep, &panels_.references->board(),
             &panels::ReferenceView::finish);

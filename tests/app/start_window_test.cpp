@@ -15,6 +15,7 @@
 #include "start/recent_section.hpp"
 #include "start/start_page.hpp"
 
+#include <variant>
 #include <vector>
 
 #include <QAction>
@@ -273,6 +274,39 @@ TEST_F(StartWindow, MoreOpensTheDialogAndThePageStaysUntilThereIsACanvas) {
     when_asked<dialogs::NewCanvasDialog>([](QDialog& dialog) { dialog.accept(); });
     click(sizes, sizes.count() - 1);
     EXPECT_FALSE(page_is_shown());
+}
+
+TEST_F(StartWindow, ANewCanvasCanHaveATonedGroundAtOnce) {
+    when_asked<dialogs::NewCanvasDialog>([](QDialog& dialog) { dialog.accept(); });
+    action(Command::NewCanvas)->trigger();
+    loaded();
+    session().wait_until_applied();
+    EXPECT_EQ(session().snapshot()->layers->layers.size(), 1U) << "none unless it is wanted";
+
+    when_asked<dialogs::NewCanvasDialog>([](QDialog& dialog) {
+        auto* ground = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("ground_mm"));
+        EXPECT_FALSE(ground->isEnabled());
+        EXPECT_EQ(ground->value(), 0.1);
+        dialog.findChild<QCheckBox*>(QStringLiteral("toned_ground"))->click();
+        EXPECT_TRUE(ground->isEnabled());
+        ground->setValue(0.05);
+        dialog.accept();
+    });
+    action(Command::NewCanvas)->trigger();
+    EXPECT_EQ(asked_, 1);
+    loaded();
+    session().wait_until_applied();
+    const auto layers = session().snapshot()->layers;
+    ASSERT_EQ(layers->layers.size(), 2U);
+    EXPECT_EQ(layers->layers[0].look.name, "Ground");
+    EXPECT_EQ(layers->active, 1U) << "it is painted above it";
+    const auto tone = std::get<document::ToneGround>(session().recording().events.back().action);
+    EXPECT_EQ(tone.thickness_mm, 0.05);
+    EXPECT_EQ(tone.paint, studio().easel().hand().paint);
+    settle();
+    action(Command::Undo)->trigger();
+    session().wait_until_applied();
+    EXPECT_EQ(session().snapshot()->layers->layers.size(), 1U) << "one step";
 }
 
 TEST_F(StartWindow, ANewCanvasIsTypedInAnyUnit) {

@@ -118,7 +118,11 @@ void ProjectFiles::put_up(PreparedPainting& painting) {
 void ProjectFiles::ask_new_canvas() {
     dialogs::NewCanvasDialog dialog(studio_.session().canvas(), studio_.live_px_per_mm(),
                                     &studio_.window());
-    if (dialog.exec() == QDialog::Accepted) ask_to_put_up(dialog.settings());
+    if (dialog.exec() != QDialog::Accepted || !may_discard()) return;
+    const std::optional<double> ground_mm = dialog.ground_mm();
+    new_canvas(dialog.settings(), [this, ground_mm] {
+        if (ground_mm) Q_EMIT ground_wanted(*ground_mm);
+    });
 }
 
 void ProjectFiles::new_canvas(const document::CanvasSettings& canvas, const Then& then) {

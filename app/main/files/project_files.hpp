@@ -116,6 +116,8 @@ class ProjectFiles : public QObject {
   Q_SIGNALS:
     /// The painting is going to be kept as it is: what waits for the hand to rest is to be done now.
     void about_to_keep();
+    /// On the canvas that has just been put up: so thick while it is wet.
+    void ground_wanted(double thickness_mm);
 
   private:
     /// Puts it on the easel where that is agreed to when it is there.

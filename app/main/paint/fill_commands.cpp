@@ -74,15 +74,13 @@ void FillCommands::ask_for_ground() {
          .proposal_mm = ground_mm_},
         &studio_.window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] {
-        ground_mm_ = dialog->chosen_mm();
-        tone_ground();
-    });
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { tone_ground(dialog->chosen_mm()); });
     dialog->show();
 }
 
 /// A recording may have begun to be played since the dialog was opened.
-void FillCommands::tone_ground() {
+void FillCommands::tone_ground(double thickness_mm) {
+    ground_mm_ = thickness_mm;
     if (paint_is_lent(studio_)) return;
     studio_.easel().tone_ground({.paint = studio_.easel().hand().paint,
                                  .thickness_mm = ground_mm_,

@@ -19,6 +19,9 @@ class FillCommands : public QObject {
 
     void end_gradients() { draw_gradients(false); }
 
+    /// With the paint in hand; so thick while it is wet.
+    void tone_ground(double thickness_mm);
+
   Q_SIGNALS:
     void gradients_begin();  ///< a press draws the line of one from now on, and does nothing else
 
@@ -28,7 +31,6 @@ class FillCommands : public QObject {
     void pour(document::FillWithPaint fill);
     void ask_thickness();
     void ask_for_ground();
-    void tone_ground();
 
     Studio& studio_;
     bool drawing_ = false;
