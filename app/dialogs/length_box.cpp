@@ -94,13 +94,19 @@ QValidator::State UnitBox::validate(QString& text, int& cursor) const {
 /// Each key that made a number has set it, and "3000 px" began with one.
 void UnitBox::fixup(QString& text) const {
     const auto typed = read(text);
-    if (!typed && !text.isEmpty())
-        QToolTip::showText(mapToGlobal(QPoint(0, height())),
-                           tr("\"%1\" is not understood here; the number stays as it was.").arg(text),
-                           lineEdit());
+    if (!typed && !text.isEmpty()) tell_refused(text);
     const double kept =
         typed ? std::clamp(*typed, minimum(), maximum()) : before_typing_.value_or(value());
     text = textFromValue(kept) + suffix();
+}
+
+/// Once the keyboard is where it goes: its way hides what is shown.
+void UnitBox::tell_refused(const QString& text) const {
+    const QString words = tr("\"%1\" is not understood here; the number stays as it was.").arg(text);
+    const auto show = [box = lineEdit(), words] {
+        QToolTip::showText(box->mapToGlobal(QPoint(0, box->height())), words, box);
+    };
+    QMetaObject::invokeMethod(lineEdit(), show, Qt::QueuedConnection);
 }
 
 void UnitBox::stepBy(int steps) {

@@ -34,6 +34,7 @@ class UnitBox : public QDoubleSpinBox {
 
   private:
     std::optional<double> read(const QString& text) const;
+    void tell_refused(const QString& text) const;
 
     Reader reader_;
     std::function<double()> px_per_mm_{};  ///< none: pixels are not read

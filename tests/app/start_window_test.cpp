@@ -354,6 +354,7 @@ TEST_F(StartWindow, ALengthThatIsNotUnderstoodIsSaidAndChangesNothing) {
     QTest::keyClicks(width, QStringLiteral("300 yd"));
     QTest::keyClick(width, Qt::Key_Return);
     EXPECT_EQ(dialog.settings().width_mm, 250.0) << "not 300 mm, which it began with";
+    QApplication::processEvents();
     EXPECT_THAT(QToolTip::text().toStdString(), HasSubstr("\"300 yd\" is not understood here"));
     EXPECT_TRUE(dialog.isVisible()) << "there is no canvas of another size than was typed";
     width->selectAll();

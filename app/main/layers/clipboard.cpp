@@ -61,12 +61,11 @@ bool Clipboard::copy(document::LayerId layer) {
     studio_.session().wait_until_applied();
     const auto painting = studio_.session().snapshot();
     if (painting->copied == before) return false;
-    const grid::Rect area = layers::painted_area(*painting->copied);
-    if (area.empty()) {
+    if (layers::painted_area(*painting->copied).empty()) {
         studio_.report(tr("There is no paint to copy here."));
         return false;
     }
-    QGuiApplication::clipboard()->setMimeData(new CopiedMime(painting->copied, area, painting->ground));
+    QGuiApplication::clipboard()->setMimeData(new CopiedMime(painting->copied, painting->ground));
     studio_.report(tr("Copied; paste it as a layer, or as a picture in another program."));
     return true;
 }

@@ -15,10 +15,17 @@ namespace {
 
 constexpr QLatin1String kImage("application/x-qt-image");
 
+/// As far as its tiles tell.
+bool holds_paint(const film::FilmState& layer) {
+    for (int tile = 0; tile < layer.shape.tile_count(); ++tile)
+        if (layers::holds_paint(layer, tile)) return true;
+    return false;
+}
+
 }  // namespace
 
-CopiedMime::CopiedMime(document::CopiedPaint paint, const grid::Rect& area, const pigment::Bands& ground)
-    : paint_(std::move(paint)), area_(area), ground_(ground) {}
+CopiedMime::CopiedMime(document::CopiedPaint paint, const pigment::Bands& ground)
+    : paint_(std::move(paint)), ground_(ground) {}
 
 QStringList CopiedMime::formats() const {
     return QMimeData::formats() + QStringList{kPaintFormat, kImage};
@@ -41,8 +48,10 @@ QByteArray CopiedMime::bytes() const {
 }
 
 QImage CopiedMime::made_picture() const {
-    const grid::Shape shape{area_.width(), area_.height()};
-    const film::FilmState part = layers::on_extent(*paint_, {shape, area_.x0, area_.y0});
+    const grid::Rect area = layers::painted_area(*paint_);
+    if (area.empty()) return {};
+    const grid::Shape shape{area.width(), area.height()};
+    const film::FilmState part = layers::on_extent(*paint_, {shape, area.x0, area.y0});
     const session::LayerPicture picture =
         session::layer_picture(part, ground_, shape.width, shape.height);
     return appearance::view_of_rgba(picture.rgba, picture.width, picture.height).copy();
@@ -54,10 +63,8 @@ CopiedMime* copied_layer(const document::Snapshot& painting, document::LayerId l
     film::FilmState paint = *document::layers_apart(active, painting.bare->support_mm,
                                                     stack)[document::place_of(stack, layer)];
     paint.strata.evaporated = 0;
-    const grid::Rect area = layers::painted_area(paint);
-    if (area.empty()) return nullptr;
-    return new CopiedMime(std::make_shared<const film::FilmState>(std::move(paint)), area,
-                          painting.ground);
+    if (!holds_paint(paint)) return nullptr;
+    return new CopiedMime(std::make_shared<const film::FilmState>(std::move(paint)), painting.ground);
 }
 
 }  // namespace pastoso::main

@@ -3,7 +3,6 @@
 
 #include "document/actions/copy_actions.hpp"
 #include "document/painting.hpp"
-#include "grid/shape.hpp"
 #include "pigment/bands.hpp"
 
 #include <optional>
@@ -24,8 +23,8 @@ inline constexpr int kMostPaint_MB = 256;
 /// the paint, since the window it was copied in may be gone then.
 class CopiedMime : public QMimeData {
   public:
-    /// `area`: the cells that hold paint; `ground`: what its picture is seen on.
-    CopiedMime(document::CopiedPaint paint, const grid::Rect& area, const pigment::Bands& ground);
+    /// `ground`: what its picture is seen on.
+    CopiedMime(document::CopiedPaint paint, const pigment::Bands& ground);
 
     const document::CopiedPaint& paint() const { return paint_; }
 
@@ -40,7 +39,6 @@ class CopiedMime : public QMimeData {
     QImage made_picture() const;
 
     document::CopiedPaint paint_;
-    grid::Rect area_;
     pigment::Bands ground_;
     mutable std::optional<QByteArray> bytes_;
     mutable QImage picture_;

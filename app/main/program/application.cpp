@@ -43,6 +43,7 @@ bool Application::notify(QObject* receiver, QEvent* event) {
         is_handled = QApplication::notify(receiver, event);
         auto* widget = asks_for_menu(*event) ? qobject_cast<QWidget*>(receiver) : nullptr;
         if (widget == nullptr) return;
+        is_handled = true;
         event->accept();
         open_menu_of(*widget);
     };
