@@ -166,17 +166,24 @@ QDockWidget* add_well(Studio& studio) {
     return dock;
 }
 
-/// Where its usual size leaves no place for the desktop's frame, the window fills the screen.
+constexpr QSize kLeast(1280, 800);
+
+/// Where that leaves no place for the desktop's frame, the window fills the screen.
 void size_window(QMainWindow& window) {
-    constexpr QSize kUsual(1280, 800);
     constexpr int kFrame_px = 40;
     const QSize screen = window.screen()->availableSize();
-    window.resize(kUsual.boundedTo(screen));
-    const bool fits = kUsual.width() <= screen.width() && kUsual.height() + kFrame_px <= screen.height();
+    window.resize(first_window_size(screen));
+    const bool fits = kLeast.width() <= screen.width() && kLeast.height() + kFrame_px <= screen.height();
     if (!fits) window.setWindowState(window.windowState().setFlag(Qt::WindowMaximized));
 }
 
 }  // namespace
+
+QSize first_window_size(const QSize& screen) {
+    constexpr double kShare = 0.85;
+    constexpr QSize kMost(1920, 1200);
+    return (kShare * screen).expandedTo(kLeast).boundedTo(kMost).boundedTo(screen);
+}
 
 PanelSet lay_out(Studio& studio) {
     QMainWindow& window = studio.window();

@@ -6,6 +6,8 @@
 
 #include <map>
 
+#include <QSize>
+
 class QComboBox;
 class QDockWidget;
 
@@ -65,6 +67,10 @@ struct PanelSet {
 
 /// Builds menus, tool bar and panels of the studio's window, and puts its views among them.
 PanelSet lay_out(Studio& studio);
+
+/// Before a size is remembered: most of what is free of the screen, but enough to paint in, and no more
+/// than is looked over at once. In pixels of the layout.
+QSize first_window_size(const QSize& screen);
 
 /// The part of it that stands in docks.
 void add_docks(Studio& studio, PanelSet& panels);

@@ -2,6 +2,7 @@
 #include "app/window_fixture.hpp"
 #include "appearance/shown_time.hpp"
 #include "appearance/theme.hpp"
+#include "main/panel_set.hpp"
 #include "main/program/language.hpp"
 #include "main/window_parts.hpp"
 #include "panels/paint/paint_panel.hpp"
@@ -108,6 +109,14 @@ TEST_F(RoomWindow, AtRestTheToolBarAsksForNoLayout) {
             QApplication::processEvents();
         EXPECT_EQ(requests.count, 0) << width << " wide";
     }
+}
+
+TEST_F(RoomWindow, OpensOnMostOfALargeScreen) {
+    EXPECT_EQ(main::first_window_size({1024, 600}), QSize(1024, 600));
+    EXPECT_EQ(main::first_window_size({1440, 900}), QSize(1280, 800));
+    EXPECT_EQ(main::first_window_size({1600, 1000}), QSize(1360, 850));
+    EXPECT_EQ(main::first_window_size({3840, 1080}), QSize(1920, 918));
+    EXPECT_EQ(main::first_window_size({3840, 2160}), QSize(1920, 1200));
 }
 
 TEST_F(RoomWindow, FitsASmallScreenInEveryLanguage) {
