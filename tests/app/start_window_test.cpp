@@ -15,6 +15,9 @@
 #include "start/recent_section.hpp"
 #include "start/start_page.hpp"
 
+#include <fstream>
+#include <set>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -677,6 +680,43 @@ TEST_F(StartWindow, OfPaintingsDraggedTogetherEachHasAWindow) {
     EXPECT_EQ(state(), painted);
     wait_for([&] { return std::filesystem::exists(told); });
     EXPECT_EQ(core::read_text_file(told), second.string() + "\n");
+}
+
+TEST_F(StartWindow, ManyWindowsAreOpenedOnlyOnceThePainterAgrees) {
+    paint();
+    settle();
+    const std::uint64_t painted = state();
+    std::vector<std::filesystem::path> files = {saved("harbour.pastoso")};
+    std::set<std::string> others;
+    for (int i = 0; i < 6; ++i) {
+        files.push_back(folder_.path() / ("quay " + std::to_string(i) + ".pastoso"));
+        others.insert(files.back().string());
+    }
+    const std::filesystem::path told = folder_.path() / "others", program = folder_.path() / "program";
+    core::write_text_file(program, "#!/bin/sh\necho \"$@\" >> '" + told.string() + "'\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+
+    start_again_paused();
+    parts().new_window.start_with(QString::fromStdString(program.string()));
+    when_asked<QMessageBox>([](QMessageBox& box) { box.button(QMessageBox::Cancel)->click(); });
+    drop_all(files);
+    EXPECT_EQ(asked_, 1) << "once for all";
+    EXPECT_EQ(state(), painted) << "the first opens here all the same";
+    when_asked<QMessageBox>([](QMessageBox& box) {
+        for (QAbstractButton* button : box.buttons())
+            if (box.buttonRole(button) == QMessageBox::AcceptRole) return button->click();
+    });
+    drop_all(files);
+    EXPECT_EQ(asked_, 1);
+    const auto lines = [&] {
+        std::vector<std::string> read;
+        std::ifstream file(told);
+        for (std::string line; std::getline(file, line);)
+            read.push_back(line);
+        return read;
+    };
+    wait_for([&] { return lines().size() >= others.size(); });
+    EXPECT_THAT(lines(), testing::UnorderedElementsAreArray(others)) << "none of those refused";
 }
 
 TEST_F(StartWindow, PicturesAreForTheCanvasThatTheyAreDroppedOn) {

@@ -10,6 +10,7 @@
 #include "main/program/new_window.hpp"
 #include "main/references/reference_commands.hpp"
 
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -17,7 +18,9 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 
 namespace pastoso::main {
 namespace {
@@ -25,6 +28,9 @@ namespace {
 QString ending_of(const QString& path) {
     return QFileInfo(path).suffix().toLower();
 }
+
+/// More are opened by mistake, and each takes memory and threads.
+constexpr int kFewWindows = 5;
 
 bool is_recording(const QString& path) {
     return ending_of(path) == QStringLiteral("json");
@@ -116,13 +122,28 @@ void DroppedFiles::take(const QStringList& paths, const QPoint& screen_place) {
             studio_.report(tr("%1 is no painting and no picture that can be opened.")
                                .arg(QFileInfo(path).fileName()));
     }
-    bool taken = !pictures.isEmpty();
-    for (const QString& path : put_up_files)
-        if (std::exchange(taken, true))
-            new_window_.open(path);
-        else
-            put_up(path);
+    put_up_all(put_up_files, pictures.isEmpty());
     if (!pictures.isEmpty()) ask_about(uses_of(pictures), pictures.size() == 1, screen_place);
+}
+
+void DroppedFiles::put_up_all(QStringList paths, bool first_is_for_here) {
+    const QString here = first_is_for_here && !paths.isEmpty() ? paths.takeFirst() : QString();
+    const bool all_wanted = paths.size() <= kFewWindows || wants_windows(static_cast<int>(paths.size()));
+    if (!here.isEmpty()) put_up(here);
+    if (!all_wanted) return;
+    for (const QString& path : paths)
+        new_window_.open(path);
+}
+
+bool DroppedFiles::wants_windows(int count) {
+    QMessageBox question(
+        QMessageBox::Question, tr("Pastoso"),
+        tr("Each of the other files opens in a window of its own. Open %1 more windows?").arg(count),
+        QMessageBox::Cancel, &studio_.window());
+    QPushButton* open = question.addButton(tr("Open them"), QMessageBox::AcceptRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    question.exec();
+    return question.clickedButton() == open;
 }
 
 void DroppedFiles::put_up(const QString& path) {

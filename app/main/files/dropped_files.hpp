@@ -21,9 +21,10 @@ class ProjectFiles;
 class ReferenceCommands;
 class TracingCommands;
 
-/// A painting or a recording is put up, and of several each other one in a window of its own; of
-/// pictures the painter says what becomes of them, once for all that are dropped together. So it is with
-/// one that has no file, such as a browser's. Paint of another window is pasted where it was dropped.
+/// A painting or a recording is put up, and of several each other one in a window of its own, of many
+/// once the painter has agreed; of pictures the painter says what becomes of them, once for all that are
+/// dropped together. So it is with one that has no file, such as a browser's. Paint of another window is
+/// pasted where it was dropped.
 class DroppedFiles : public QObject {
     Q_OBJECT
   public:
@@ -42,6 +43,8 @@ class DroppedFiles : public QObject {
     void drop(const QDropEvent& event);
     void take(const QStringList& paths, const QPoint& screen_place);
     void take(const QImage& picture, const QPoint& screen_place);
+    void put_up_all(QStringList paths, bool first_is_for_here);
+    bool wants_windows(int count);
     void put_up(const QString& path);
     Uses uses_of(const QStringList& pictures);
     Uses uses_of(const QImage& picture);
