@@ -109,8 +109,7 @@ void make_panels(Studio& studio, PanelSet& panels) {
 
 QWidget* make_tool_panel(Studio& studio, PanelSet& panels) {
     const auto action = [&](Command command) { return studio.commands().action(command); };
-    panels.load = new panels::LoadPanel({action(Command::ReloadBrush), action(Command::TopUpBrush),
-                                         action(Command::BlotBrush), action(Command::CleanBrush)},
+    panels.load = new panels::LoadPanel({action(Command::TopUpBrush), action(Command::BlotBrush)},
                                         action(Command::SwapPaints));
     panels.curves = new panels::CurvesPanel;
     auto* tool = new QWidget;

@@ -36,12 +36,6 @@ LoadPanel::LoadPanel(const std::vector<QAction*>& actions, QAction* swap, QWidge
     auto* column = section(this, tr("On the brush"));
     fullness_->setObjectName(QStringLiteral("reading"));
     appearance::explain(fullness_, appearance::Term::Load);
-    constexpr int kColumns = 2;
-    auto* buttons = new QGridLayout;
-    buttons->setSpacing(4);
-    for (QAction* action : actions)
-        buttons->addWidget(action_button(action), buttons->count() / kColumns,
-                           buttons->count() % kColumns);
     way_->setObjectName(QStringLiteral("dip_way"));
     way_->setToolTip(tr("How the brush is dipped, from the next time on"));
     way_->addItem(tr("Full, in one paint"), static_cast<int>(Way::Full));
@@ -62,7 +56,7 @@ LoadPanel::LoadPanel(const std::vector<QAction*>& actions, QAction* swap, QWidge
                      tr("The second paint's share of a half-mixed load"), {0.0, 100.0, 0, tr(" %")});
     column->addWidget(bar_);
     column->addWidget(fullness_);
-    column->addLayout(buttons);
+    column->addWidget(button_row(actions));
     column->addWidget(way_);
     column->addWidget(paints_row(swap));
     column->addWidget(values);

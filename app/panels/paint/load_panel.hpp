@@ -22,7 +22,7 @@ class ValueRow;
 class LoadPanel : public QWidget {
     Q_OBJECT
   public:
-    /// `actions` become buttons: reload, top up, blot, clean; `swap` stands between the two paints.
+    /// `actions` become buttons, as many as have room in a row; `swap` stands between the two paints.
     LoadPanel(const std::vector<QAction*>& actions, QAction* swap, QWidget* parent = nullptr);
 
     /// Shows the brush's paints and how it is dipped, without a signal.
