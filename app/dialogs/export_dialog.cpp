@@ -1,5 +1,6 @@
 #include "dialogs/export_dialog.hpp"
 
+#include "dialogs/length_box.hpp"
 #include "document/canvas.hpp"
 
 #include <utility>
@@ -64,7 +65,10 @@ QComboBox* ExportDialog::add_choice(const char* name, const QString& hint) {
 }
 
 QDoubleSpinBox* ExportDialog::add_number(const Number& number, double& value) {
-    auto* box = new PlainNumber;
+    return add_number(new PlainNumber, number, value);
+}
+
+QDoubleSpinBox* ExportDialog::add_number(QDoubleSpinBox* box, const Number& number, double& value) {
     box->setObjectName(QString::fromLatin1(number.name));
     box->setRange(number.least, number.most);
     box->setDecimals(number.decimals);
@@ -179,10 +183,11 @@ void ExportDialog::make_numbers() {
         add_number({"exaggeration", 0.01, 100.0, 2, tr(" times as high"),
                     tr("1 is the relief as it is painted, 2 twice as high; width and height stay")},
                    relief.exaggeration);
-    resolution_ = add_number({"resolution_mm", 0.0, 100.0, 3, tr(" mm apart"),
-                              tr("Distance between two points of the surface; 0 is as far as the cells, "
-                                 "or farther where the canvas is large")},
-                             relief.resolution_mm);
+    resolution_ =
+        add_number({"resolution_mm", 0.0, 100.0, 3, tr(" mm apart"),
+                    tr("Distance between two points of the surface; 0 is as far as the pixels, "
+                       "or farther where the canvas is large")},
+                   relief.resolution_mm);
     resolution_->setSpecialValueText(tr("automatic"));
     speed_ = add_number({"speed", tools::kLeastSpeed, tools::kMostSpeed, 2, tr(" times as fast"),
                          tr("Seconds of painting in a second of film")},
@@ -191,8 +196,9 @@ void ExportDialog::make_numbers() {
         add_number({"fps", 1.0, tools::kMostFps, 1, tr(" per second"), tr("Frames in a second of film")},
                    settings_.fps);
     film_cells_ =
-        add_number({"film_px_per_mm", 0.0, document::kMaxPxPerMm, 2, tr(" px/mm"),
-                    tr("Cells in a millimetre of the canvas that it is painted on once more: more show "
+        add_number(new UnitBox(read_px_per_mm, QString(), QString()),
+                   {"film_px_per_mm", 0.0, document::kMaxPxPerMm, 2, tr(" px/mm"),
+                    tr("Pixels in a millimetre of the canvas that it is painted on once more: more show "
                        "finer paint and take longer; 0 is as it was painted")},
                    settings_.film_px_per_mm);
     film_cells_->setSpecialValueText(tr("as it was painted"));

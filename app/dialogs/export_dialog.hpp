@@ -41,6 +41,7 @@ class ExportDialog : public GrowingDialog {
         QString unit, hint;
     };
     QDoubleSpinBox* add_number(const Number& number, double& value);
+    QDoubleSpinBox* add_number(QDoubleSpinBox* box, const Number& number, double& value);
     QComboBox* add_choice(const char* name, const QString& hint);
     void make_form_box();
     QWidget* make_path_row();

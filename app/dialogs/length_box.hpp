@@ -1,56 +1,18 @@
-// Lengths and resolutions as painters know them: in millimetres, centimetres, metres, inches, or dpi.
+// Numbers in dialogs: boxes into which other units may be typed, and what of them is for reading.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <utility>
-
-#include <QDoubleSpinBox>
-#include <QLocale>
+#include "appearance/unit_box.hpp"
 
 namespace pastoso::dialogs {
 
-/// A box for a number in one unit, into which another may be typed. What it cannot read it says, and the
-/// number stays what it was before that was typed.
-class UnitBox : public QDoubleSpinBox {
-    Q_OBJECT
-  public:
-    /// In `words` without spaces at its ends and in small letters; nothing where it is no such number.
-    using Reader = std::optional<double> (*)(const QString& words, const QLocale& locale);
-
-    /// Numbers have two decimals.
-    UnitBox(Reader reader, const QString& name, const QString& suffix, QWidget* parent = nullptr);
-
-    /// Of a length in mm: pixels may be typed as well, of that resolution.
-    void read_pixels_at(std::function<double()> px_per_mm) { px_per_mm_ = std::move(px_per_mm); }
-
-    QValidator::State validate(QString& text, int& cursor) const override;
-    void fixup(QString& text) const override;
-    double valueFromText(const QString& text) const override;
-    void stepBy(int steps) override;
-
-  protected:
-    void keyPressEvent(QKeyEvent* event) override;
-
-  private:
-    std::optional<double> read(const QString& text) const;
-    void tell_refused(const QString& text) const;
-
-    Reader reader_;
-    std::function<double()> px_per_mm_{};  ///< none: pixels are not read
-    std::optional<double> before_typing_;
-};
+using appearance::read_length_mm;
+using appearance::read_px_per_mm;
+using appearance::UnitBox;
 
 /// What the box says; or `exact`, where that is what it shows, rounded for reading.
 double unrounded(const QDoubleSpinBox& box, double exact);
 
 /// A number for reading: without more than two decimals.
 double in_hundredths(double value);
-
-/// "500", "50 cm", "0.5 m", "20 in" or 20"; a number alone is of millimetres.
-std::optional<double> read_length_mm(const QString& words, const QLocale& locale);
-
-/// "5", "5 px/mm" or "127 dpi" (ppi); a number alone is of pixels per millimetre.
-std::optional<double> read_px_per_mm(const QString& words, const QLocale& locale);
 
 }  // namespace pastoso::dialogs

@@ -5,6 +5,7 @@
 #include "appearance/terms.hpp"
 #include "core/error.hpp"
 #include "core/memory.hpp"
+#include "dialogs/length_box.hpp"
 #include "document/canvas.hpp"
 
 #include <algorithm>
@@ -38,14 +39,12 @@ RepaintDialog::RepaintDialog(document::Recording strokes, std::string name, QWid
     : GrowingDialog(parent),
       strokes_(std::move(strokes)),
       name_(std::move(name)),
-      px_per_mm_(new QDoubleSpinBox),
+      px_per_mm_(new UnitBox(read_px_per_mm, QStringLiteral("px_per_mm"), tr(" px/mm"))),
       summary_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Paint it again"));
-    px_per_mm_->setObjectName(QStringLiteral("px_per_mm"));
     px_per_mm_->setRange(document::kMinPxPerMm, document::kMaxPxPerMm);
-    px_per_mm_->setDecimals(2);
-    px_per_mm_->setSuffix(tr(" px/mm"));
+    px_per_mm_->setToolTip(tr("Dots per inch may be typed as well: 127 dpi"));
     px_per_mm_->setValue(std::min(2.0 * strokes_.canvas.px_per_mm, document::kMaxPxPerMm));
     px_per_mm_->selectAll();
     connect(px_per_mm_, &QDoubleSpinBox::valueChanged, this, &RepaintDialog::show_outcome);

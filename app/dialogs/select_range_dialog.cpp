@@ -1,6 +1,7 @@
 #include "dialogs/select_range_dialog.hpp"
 
 #include "appearance/shown_number.hpp"
+#include "dialogs/length_box.hpp"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -47,13 +48,10 @@ SelectRangeDialog::SelectRangeDialog(const QString& title, const QString& explan
 
 QDoubleSpinBox* SelectRangeDialog::add_thickness(const QString& name, double value_mm) {
     constexpr double kMost_mm = 1000.0;
-    auto* box = new QDoubleSpinBox;
-    box->setObjectName(name);
+    auto* box = new UnitBox(read_length_mm, name, tr(" mm"));
     box->setRange(0.0, kMost_mm);
     box->setDecimals(3);
     box->setSingleStep(0.01);
-    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setSuffix(tr(" mm"));
     box->setValue(value_mm);
     connect(box, &QDoubleSpinBox::valueChanged, this, &SelectRangeDialog::changed);
     return box;

@@ -28,6 +28,13 @@ void show_number(QDoubleSpinBox* box, double value) {
     box->setValue(value);
 }
 
+QDoubleSpinBox* box_of(const char* name, const QString& unit) {
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QString::fromLatin1(name));
+    box->setSuffix(unit);
+    return box;
+}
+
 void show_check(QToolButton* button, bool checked) {
     const QSignalBlocker quiet(button);
     button->setChecked(checked);
@@ -58,11 +65,13 @@ TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSize
     form->setContentsMargins(18, 14, 18, 14);
     form->setSpacing(9);
     const QString mm = tr(" mm"), percent = tr(" %"), degrees = tr("°");
-    move_x_ = add_number(form, QStringLiteral("move_x"), tr("Move right"), -kFar_mm, kFar_mm, mm);
-    move_y_ = add_number(form, QStringLiteral("move_y"), tr("Move down"), -kFar_mm, kFar_mm, mm);
-    width_ = add_number(form, QStringLiteral("width"), tr("Width"), kLeast, kMost, percent);
-    height_ = add_number(form, QStringLiteral("height"), tr("Height"), kLeast, kMost, percent);
-    turn_ = add_number(form, QStringLiteral("turn"), tr("Turn"), -180.0, 180.0, degrees);
+    move_x_ = add_number(form, new UnitBox(read_length_mm, QStringLiteral("move_x"), mm),
+                         tr("Move right"), {-kFar_mm, kFar_mm});
+    move_y_ = add_number(form, new UnitBox(read_length_mm, QStringLiteral("move_y"), mm),
+                         tr("Move down"), {-kFar_mm, kFar_mm});
+    width_ = add_number(form, box_of("width", percent), tr("Width"), {kLeast, kMost});
+    height_ = add_number(form, box_of("height", percent), tr("Height"), {kLeast, kMost});
+    turn_ = add_number(form, box_of("turn", degrees), tr("Turn"), {-180.0, 180.0});
     turn_->setWrapping(true);
     turn_->setToolTip(tr("Clockwise, about the middle of the frame"));
     mirror_x_ = make_mirror(QStringLiteral("mirror_x"), tr("Left–right"),
@@ -91,13 +100,11 @@ TransformDialog::TransformDialog(const tools::TransformFrame& frame, const QSize
     show_frame(frame);
 }
 
-QDoubleSpinBox* TransformDialog::add_number(QFormLayout* form, const QString& name, const QString& words,
-                                            double least, double most, const QString& unit) {
-    auto* box = new QDoubleSpinBox;
-    box->setObjectName(name);
-    box->setRange(least, most);
+QDoubleSpinBox* TransformDialog::add_number(QFormLayout* form, QDoubleSpinBox* box, const QString& words,
+                                            std::pair<double, double> range) {
+    box->setRange(range.first, range.second);
     box->setDecimals(kDecimals);
-    box->setSuffix(unit);
+    box->setStepType(QAbstractSpinBox::DefaultStepType);
     connect(box, &QDoubleSpinBox::valueChanged, this, &TransformDialog::read_numbers);
     form->addRow(words, box);
     return box;

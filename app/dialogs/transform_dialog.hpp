@@ -4,6 +4,8 @@
 #include "dialogs/growing_dialog.hpp"
 #include "tools/transform_frame.hpp"
 
+#include <utility>
+
 #include <QSizeF>
 
 class QDialogButtonBox;
@@ -30,8 +32,8 @@ class TransformDialog : public GrowingDialog {
     void changed(const tools::TransformFrame& frame);
 
   private:
-    QDoubleSpinBox* add_number(QFormLayout* form, const QString& name, const QString& words,
-                               double least, double most, const QString& unit);
+    QDoubleSpinBox* add_number(QFormLayout* form, QDoubleSpinBox* box, const QString& words,
+                               std::pair<double, double> range);
     QToolButton* make_mirror(const QString& name, const QString& words, const QString& hint);
     void read_numbers();
     void show_outcome();

@@ -316,6 +316,16 @@ TEST_F(BrushesWindow, ThumbnailsAreWantedOnceTheirRowsAreSeen) {
     EXPECT_LT(wanted.size(), 40U);
 }
 
+TEST_F(BrushesWindow, TheWidthMayBeTypedInOtherUnits) {
+    auto* width = window().findChild<QDoubleSpinBox*>(QStringLiteral("brush_width"));
+    ASSERT_NE(width, nullptr);
+    width->setFocus();
+    width->selectAll();
+    QTest::keyClicks(width, QStringLiteral("1.5 cm"));
+    QTest::keyClick(width, Qt::Key_Return);
+    EXPECT_EQ(hand().brush_width_mm, 15.0);
+}
+
 TEST_F(BrushesWindow, AKeptBrushIsListedAndTakenAndComesBackWithTheProgram) {
     EXPECT_FALSE(studio().commands().action(Command::RenameBrush)->isEnabled());
     studio().easel().set_brush_width(12.0);

@@ -159,6 +159,9 @@ TEST_F(RepaintWindowTest, TheDialogSaysWhatItTakes) {
     EXPECT_TRUE(
         words.startsWith(QStringLiteral("960 × 640 pixels, which take about 0.2 GB of memory; ")))
         << words.toStdString();
+    cells.selectAll();
+    QTest::keyClicks(&cells, QStringLiteral("508 dpi"));
+    EXPECT_DOUBLE_EQ(cells.value(), 20.0);
     dialog.reject();
 }
 

@@ -310,6 +310,10 @@ TEST_F(SelectionWindow, ByHeightTakesWhatStandsHigherThanMost) {
     EXPECT_GT(difference(before, picture()).largest, 60) << "it is outlined";
     EXPECT_EQ(selection(), nullptr) << "but not selected yet";
     const std::string first = outcome();
+    box("most_mm").selectAll();
+    QTest::keyClicks(&box("most_mm"), QStringLiteral("2 cm"));
+    EXPECT_EQ(box("most_mm").value(), 20.0);
+    box("most_mm").setValue(most_mm);
     box("least_mm").setValue(0.001);
     EXPECT_NE(outcome(), first);
     box("least_mm").setValue(least_mm);

@@ -140,6 +140,10 @@ TEST_F(TracingWindow, LiesWhereTheNumbersSayAndFitsAgain) {
     wait_for([&] { return tracing()->place.width_mm == 20.0; });
     EXPECT_EQ(tracing()->place.height_mm, 10.0);
     EXPECT_EQ(tracing()->place.y_mm, fitted.y_mm);
+    type(number("tracing_width"), "3 cm");
+    wait_for([&] { return tracing()->place.width_mm == 30.0; });
+    type(number("tracing_x"), "-1 in");
+    wait_for([&] { return tracing()->place.x_mm == -25.4; });
     action(Command::FitTracing)->trigger();
     EXPECT_EQ(tracing()->place, fitted);
 }

@@ -372,6 +372,21 @@ TEST_F(TransformWindow, ControlPullsASideAskewAndNoCornerFolds) {
     EXPECT_EQ(events_posted(), events);
 }
 
+TEST_F(TransformWindow, WaysMayBeTypedInOtherUnits) {
+    begin();
+    const auto type = [this](const char* name, const char* words) {
+        box(name).setFocus();
+        box(name).selectAll();
+        QTest::keyClicks(&box(name), QString::fromLatin1(words));
+        QTest::keyClick(&box(name), Qt::Key_Tab);
+    };
+    type("move_x", "1.2 cm");
+    type("move_y", "-1 in");
+    EXPECT_EQ(box("move_x").value(), 12.0);
+    EXPECT_EQ(box("move_y").value(), -25.4);
+    EXPECT_EQ(frame()->move_mm, glm::dvec2(12.0, -25.4));
+}
+
 TEST_F(TransformWindow, NumbersAndFrameKeepInStep) {
     const auto before = painting();
     begin();

@@ -1,6 +1,7 @@
 #include "panels/layers/tracing_panel.hpp"
 
 #include "appearance/picture_view.hpp"
+#include "appearance/unit_box.hpp"
 #include "document/actions/actions.hpp"
 #include "panels/colour/picture_board.hpp"
 #include "panels/parts/section.hpp"
@@ -54,13 +55,13 @@ void TracingPanel::make_rows(QWidget* parent) {
     connect(opacity_, &ValueRow::chosen, this, &TracingPanel::value_chosen);
     const auto number = [&](const QString& words, const QString& hint, double least_mm,
                             const char* name) {
-        auto* box = new QDoubleSpinBox;
-        box->setObjectName(QString::fromLatin1(name));
+        auto* box =
+            new appearance::UnitBox(appearance::read_length_mm, QString::fromLatin1(name), tr(" mm"));
         box->setAccessibleName(words);
         box->setToolTip(hint);
         box->setRange(least_mm, document::kMaxPenPosition_mm);
         box->setDecimals(1);
-        box->setSuffix(tr(" mm"));
+        box->setStepType(QAbstractSpinBox::DefaultStepType);
         box->setKeyboardTracking(false);
         box->setAlignment(Qt::AlignRight);
         auto* label = new QLabel(words);

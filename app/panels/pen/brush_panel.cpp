@@ -2,6 +2,7 @@
 
 #include "appearance/shown_number.hpp"
 #include "appearance/terms.hpp"
+#include "appearance/unit_box.hpp"
 #include "panels/parts/section.hpp"
 #include "tools/hand.hpp"
 
@@ -159,10 +160,11 @@ void BrushPanel::want_thumbnail(int entry) {
 QWidget* BrushPanel::make_width_row() {
     slider_ = new QSlider(Qt::Horizontal);
     slider_->setRange(0, kSliderSteps);
-    width_ = new QDoubleSpinBox;
+    width_ =
+        new appearance::UnitBox(appearance::read_length_mm, QStringLiteral("brush_width"), tr(" mm"));
     width_->setRange(tools::kSmallestBrush_mm, tools::kLargestBrush_mm);
     width_->setDecimals(1);
-    width_->setSuffix(tr(" mm"));
+    width_->setStepType(QAbstractSpinBox::DefaultStepType);
     width_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     width_->setAlignment(Qt::AlignRight);
     width_->setFixedWidth(fontMetrics().horizontalAdvance(tr("%1 mm").arg(QStringLiteral("200.0"))) +
