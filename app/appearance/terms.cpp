@@ -43,6 +43,16 @@ constexpr Explained kTerms[] = {
     {Term::Varnish,
      QT_TR_NOOP("A clear coat over the whole painting that is looked through, and changes no "
                 "paint")},
+    {Term::ColourDifference,
+     QT_TR_NOOP(
+         "ΔE is how far two colours differ to the eye: 1 is seen side by side, 2 to 3 at a second "
+         "look")},
+    {Term::StandardLights,
+     QT_TR_NOOP("D65, D50 and A are the lights that colours are measured in everywhere: daylight, the "
+                "light of print booths, and a light bulb")},
+    {Term::SoftProof,
+     QT_TR_NOOP("A soft proof shows on the screen how the painting would be printed; the gamut warning "
+                "shows what this printer cannot print")},
 };
 
 }  // namespace

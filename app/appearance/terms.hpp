@@ -19,7 +19,10 @@ enum class Term {
     Harmony,
     GamutMask,
     Seen,
-    Varnish
+    Varnish,
+    ColourDifference,
+    StandardLights,
+    SoftProof
 };
 
 /// In the painter's language.

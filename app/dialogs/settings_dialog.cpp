@@ -1,5 +1,6 @@
 #include "dialogs/settings_dialog.hpp"
 
+#include "appearance/terms.hpp"
 #include "core/thread_count.hpp"
 #include "tools/settings.hpp"
 
@@ -163,8 +164,11 @@ QWidget* SettingsDialog::make_colour(const QString& system_profile) {
                                     "not changed.")));
     add_profile(form, tr("The printer's profile"), QStringLiteral("printer_file"),
                 &tools::Preferences::printer_file);
-    form->addRow(QString(), note(tr("For \"Soft proof\" and \"Gamut warning\" in the \"View\" menu: "
-                                    "of your printer and paper, or of your printing house.")));
+    QLabel* proof =
+        note(tr("For \"Soft proof\" and \"Gamut warning\" in the \"View\" menu: "
+                "of your printer and paper, or of your printing house."));
+    appearance::explain(proof, appearance::Term::SoftProof);
+    form->addRow(QString(), proof);
     return page;
 }
 

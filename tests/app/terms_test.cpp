@@ -11,7 +11,7 @@ namespace {
 
 TEST(Terms, EachHasASentenceOfItsOwn) {
     std::set<QString> sentences;
-    for (int term = 0; term <= static_cast<int>(Term::Varnish); ++term) {
+    for (int term = 0; term <= static_cast<int>(Term::SoftProof); ++term) {
         const QString sentence = explanation(static_cast<Term>(term));
         EXPECT_GT(sentence.size(), 20) << term;
         EXPECT_FALSE(sentence.endsWith(QLatin1Char('.'))) << "as all hints";

@@ -1,5 +1,6 @@
 #include "panels/canvas/illuminant_box.hpp"
 
+#include "appearance/terms.hpp"
 #include "panels/parts/section.hpp"
 
 #include <QFileInfo>
@@ -14,6 +15,9 @@ IlluminantBox::IlluminantBox(QWidget* parent) : QComboBox(parent) {
     addItem(tr("Light bulb (A)"), QStringLiteral("A"));
     addItem(tr("LED lamp"), QStringLiteral("LED"));
     addItem(tr("From a file..."), QString());
+    for (const char* name : {"D65", "D50", "A"})
+        setItemData(findData(QLatin1String(name)),
+                    appearance::explanation(appearance::Term::StandardLights), Qt::ToolTipRole);
     keep_keys_for_canvas(this);
     connect(this, &QComboBox::activated, this, [this](int index) {
         const QString name = itemData(index).toString();

@@ -1,6 +1,7 @@
 #include "panels/colour/colour_panel.hpp"
 
 #include "appearance/shown_number.hpp"
+#include "appearance/terms.hpp"
 #include "panels/colour/colour_picker.hpp"
 #include "panels/colour/mixes_part.hpp"
 #include "panels/colour/opened_palette.hpp"
@@ -66,6 +67,7 @@ QWidget* ColourPanel::recipe_part() {
     words_ = new QLabel;
     words_->setObjectName(QStringLiteral("recipe"));
     words_->setWordWrap(true);
+    appearance::explain(words_, appearance::Term::ColourDifference);
     words_->setMinimumHeight(5 * words_->fontMetrics().lineSpacing() + 2);
     words_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     use_recipe_ = new QPushButton(tr("Use the recipe"));
