@@ -59,7 +59,7 @@ constexpr CommandText kCommands[] = {
     CommandText{Command::MakeTimelapse, kFile, QT_TR_NOOP("&Make a time-lapse..."), "Ctrl+Alt+L",
                 QT_TR_NOOP("A film, or numbered pictures, of how the painting came about")},
     CommandText{Command::PaintAgain, kFile, QT_TR_NOOP("Pa&int it again, finer..."), "Ctrl+Alt+Shift+R",
-                QT_TR_NOOP("All strokes once more, on finer cells, beside the painting on the easel")},
+                QT_TR_NOOP("All strokes once more, finer, beside the painting on the easel")},
     CommandText{Command::ClosePainting, kFile, QT_TR_NOOP("Close the pain&ting"), "Ctrl+W",
                 QT_TR_NOOP("Put the painting away; the start page says what there is to go on with"),
                 false, true},

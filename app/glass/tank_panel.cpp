@@ -40,8 +40,10 @@ constexpr TankRow kRows[] = {
     {&S::volume_rate, QT_TR_NOOP("Volume mended"),
      QT_TR_NOOP("How much of a wrong density a step mends"), QT_TR_NOOP(" %"), 100.0, 0, 0.0, 100.0},
     {&S::courant, QT_TR_NOOP("Way of a step"),
-     QT_TR_NOOP("The longest way of a step, in cells: longer is faster and coarser"),
-     QT_TR_NOOP(" cells"), 1.0, 2, 0.1, 1.0},
+     QT_TR_NOOP(
+         "The longest way of a step, against the finest detail of the liquid: longer is faster and "
+         "coarser"),
+     "", 1.0, 2, 0.1, 1.0},
     {&S::tolerance, QT_TR_NOOP("Pressure within"), QT_TR_NOOP("How exact the pressure is solved"), "",
      1.0, 6, 1e-5, 1e-2, true},
 };

@@ -118,8 +118,8 @@ void TeaPanel::add_next_glass(QVBoxLayout* column) {
     cells_ = new QComboBox;
     cells_->setObjectName(QStringLiteral("cells"));
     cells_->setToolTip(
-        tr("Cells along each side of the next glass: finer takes longer, by the fourth "
-           "power; balls rise from 64 on"));
+        tr("Parts that each side of the next glass is divided into: twice as many take sixteen "
+           "times as long; balls rise from 64 on"));
     for (const int cells : kCells)
         cells_->addItem(QString::number(cells), cells);
     panels::keep_keys_for_canvas(cells_);

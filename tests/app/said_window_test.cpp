@@ -198,6 +198,7 @@ TEST_F(SaidWindow, TheCanvasSaysItsSizeAndWhereTheBrushIs) {
     const document::CanvasSettings settings = canvas_settings();
     EXPECT_THAT(said(canvas(), QAccessible::Name),
                 HasSubstr("Canvas " + std::to_string(static_cast<int>(settings.width_mm))));
+    EXPECT_THAT(said(canvas(), QAccessible::Name), HasSubstr("pixels per millimetre"));
     EXPECT_EQ(QAccessible::queryAccessibleInterface(&canvas())->role(), QAccessible::Canvas);
     move({12.0, 20.0}, Qt::NoButton);
     EXPECT_EQ(said(canvas(), QAccessible::Value), "Brush at 12, 20 mm");
@@ -270,6 +271,17 @@ TEST_F(SaidWindow, WordsOfTheTradeAreExplained) {
                                       {"Medium ", Term::Medium}})
         EXPECT_EQ(hint_over(window(), QString::fromLatin1(words)), appearance::explanation(term))
             << words;
+    const auto* recipe = window().findChild<QLabel*>(QStringLiteral("recipe"));
+    ASSERT_NE(recipe, nullptr);
+    EXPECT_THAT(recipe->text().toStdString(), HasSubstr("ΔE"));
+    EXPECT_EQ(recipe->toolTip(), appearance::explanation(Term::ColourDifference));
+    const auto* lights = window().findChild<QComboBox*>(QStringLiteral("illuminant"));
+    ASSERT_NE(lights, nullptr);
+    for (int light = 0; light < lights->count(); ++light)
+        EXPECT_EQ(lights->itemData(light, Qt::ToolTipRole).toString(),
+                  lights->itemText(light).contains(QLatin1Char('('))
+                      ? appearance::explanation(Term::StandardLights)
+                      : QString());
 }
 
 TEST_F(SaidWindow, ButtonsOfCommandsSayTheirKey) {

@@ -53,7 +53,7 @@ ViewCommands::ViewCommands(Studio& studio, panels::StatusReadings* readings)
 /// For those who do not see it.
 void ViewCommands::name_canvas() {
     const document::CanvasSettings canvas = studio_.session().canvas();
-    canvas_.setAccessibleName(tr("Canvas %1 \u00d7 %2 mm, %3 cells a millimetre")
+    canvas_.setAccessibleName(tr("Canvas %1 \u00d7 %2 mm, %3 pixels per millimetre")
                                   .arg(appearance::shown_number(canvas.width_mm))
                                   .arg(appearance::shown_number(canvas.height_mm))
                                   .arg(appearance::shown_number(canvas.px_per_mm)));

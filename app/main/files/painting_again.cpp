@@ -94,7 +94,7 @@ void PaintingAgain::start(const document::Recording& strokes, const std::string&
 }
 
 bool PaintingAgain::may_stop() {
-    if (is_saving()) studio_.report(tr("The painting on finer cells is still being written."));
+    if (is_saving()) studio_.report(tr("The finer painting is still being written."));
     return !is_saving() && (window() == nullptr || window()->may_go());
 }
 

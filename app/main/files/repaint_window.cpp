@@ -35,7 +35,7 @@ QString time_left(const session::Repainter::Status& status) {
 RepaintWindow::RepaintWindow(document::Recording strokes, const std::string& name,
                              const view::CanvasView& like, QWidget* parent)
     : WatchedWindow(
-          tr("Painted again on %1 px/mm").arg(appearance::shown_number(strokes.canvas.px_per_mm)), like,
+          tr("Painted again at %1 px/mm").arg(appearance::shown_number(strokes.canvas.px_per_mm)), like,
           parent) {
     add_controls(controls());
     repainter_ = std::make_unique<session::Repainter>(
@@ -125,7 +125,7 @@ void RepaintWindow::come_to_front() {
 bool RepaintWindow::may_go() {
     if (is_kept_ || repainter_ == nullptr || !repainter_->status().error.empty()) return true;
     const QString question = repainter_->painted() != nullptr
-                                 ? tr("The painting on finer cells is in no file yet. Throw it away?")
+                                 ? tr("The finer painting is in no file yet. Throw it away?")
                                  : tr("It is not painted to its end yet. Give it up?");
     is_kept_ = QMessageBox::question(this, windowTitle(), question) == QMessageBox::Yes;
     return is_kept_;

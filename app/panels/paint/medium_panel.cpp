@@ -37,7 +37,7 @@ constexpr FeelWords kFeels[] = {
     {tools::Feel::ShortToLong, "short_to_long", QT_TR_NOOP("short"), QT_TR_NOOP("long"),
      QT_TR_NOOP(
          "From paint that breaks off sharply to paint that flows out at its edges and in long runs: "
-         "the angle at which it spreads, the profile and the flow index")},
+         "the angle at which it spreads, the front and tail of drips, and the flow index")},
     {tools::Feel::OpaqueToTransparent, "opaque_to_transparent", QT_TR_NOOP("opaque"),
      QT_TR_NOOP("transparent"),
      QT_TR_NOOP("From paint that hides what lies below to a glaze: how much pigment is in it")}};

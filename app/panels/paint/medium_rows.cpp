@@ -44,16 +44,19 @@ constexpr MediumRow kSurfaceRows[] = {
               QT_TR_NOOP("The edge draws back where it is flatter than this; 0: it stays where it was"),
               QT_TR_NOOP("\u00b0"), &Medium::receding_angle_deg, 1.0, 0},
     MediumRow{"slip", QT_TR_NOOP("Slip"),
-              QT_TR_NOOP("How easily it slides over the canvas, in cells: more lets edges run on"),
-              QT_TR_NOOP(" cells"), &Medium::slip_cells, 1.0, 2},
-    MediumRow{"alpha_min", QT_TR_NOOP("Profile against"),
-              QT_TR_NOOP("Alpha where surface tension pulls against the flow: less slows the front of a "
-                         "drip, which gets thicker and rounder"),
+              QT_TR_NOOP(
+                  "How easily it slides over the canvas, in pixels of the painting: more lets edges run "
+                  "on"),
+              QT_TR_NOOP(" px"), &Medium::slip_cells, 1.0, 2},
+    MediumRow{"alpha_min", QT_TR_NOOP("Front of drips"),
+              QT_TR_NOOP("How fast a drip goes at its front, where surface tension holds it back: less "
+                         "makes it thicker and rounder there"),
               "", &Medium::alpha_min, 1.0, 2},
-    MediumRow{"alpha_max", QT_TR_NOOP("Profile along"),
-              QT_TR_NOOP("Alpha where surface tension pulls with the flow: more speeds up the tail of a "
-                         "drip, which gets thinner"),
-              "", &Medium::alpha_max, 1.0, 2}};
+    MediumRow{
+        "alpha_max", QT_TR_NOOP("Tail of drips"),
+        QT_TR_NOOP("How fast a drip follows at its tail, where surface tension draws it along: more "
+                   "makes it thinner there"),
+        "", &Medium::alpha_max, 1.0, 2}};
 
 constexpr MediumRow kDryingRows[] = {
     MediumRow{"touch_dry", QT_TR_NOOP("Dry after"),
