@@ -104,9 +104,12 @@ void TourBubble::show_step(const TourStep& step, const QRect& target) {
     point_at(target);
     show();
     raise();
-    next_->setFocus(Qt::OtherFocusReason);
     QAccessibleEvent told(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&told);
+}
+
+void TourBubble::take_keys() {
+    next_->setFocus(Qt::OtherFocusReason);
 }
 
 void TourBubble::point_at(const QRect& target) {

@@ -13,7 +13,8 @@ struct TourStep {
     int number = 1, of = 1;
 };
 
-/// Only tells what the painter wants. It takes the keys: Return goes on, Escape leaves the tour.
+/// Only tells what the painter wants. Of the keys that it has, Return goes on and Escape leaves the
+/// tour.
 class TourBubble : public QWidget {
     Q_OBJECT
   public:
@@ -23,6 +24,8 @@ class TourBubble : public QWidget {
     /// Shows the step beside `target`, a place in the parent that the bubble's tip points at, where
     /// there is room.
     void show_step(const TourStep& step, const QRect& target);
+
+    void take_keys();
 
     /// What it speaks of, or the parent, has another place or size.
     void point_at(const QRect& target);

@@ -1,9 +1,11 @@
 // The tour: its steps, where they stand, and when it comes by itself.
 #include "app/window_fixture.hpp"
 #include "help/tour_bubble.hpp"
+#include "help/tour_frame.hpp"
 #include "main/program/language.hpp"
 #include "main/window_parts.hpp"
 #include "panels/paint/paint_panel.hpp"
+#include "panels/parts/tool_bar.hpp"
 
 #include <set>
 
@@ -12,7 +14,10 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegion>
 #include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
 #include <gmock/gmock.h>
 
 namespace pastoso::tests {
@@ -39,6 +44,12 @@ class TourWindow : public WindowTest {
     void press(const char* button) {
         bubble()->findChild<QPushButton*>(QString::fromLatin1(button))->click();
         QApplication::processEvents();
+    }
+    /// What is framed now.
+    QRegion frames() {
+        for (const auto* one : window().findChildren<help::TourFrame*>())
+            if (one->isVisible()) return one->mask();
+        return {};
     }
     QRect in_window(const QWidget& widget) {
         return {widget.mapTo(&window(), QPoint(0, 0)), widget.size()};
@@ -94,10 +105,11 @@ TEST_F(TourWindow, TheTabKeyGoesBetweenItsButtons) {
 TEST_F(TourWindow, StandsBesideThePaintsAndPaintingGoesOn) {
     begin();
     const double before_mm3 = volume_mm3();
+    const QString first = bubble()->accessibleName();
     mouse_stroke(line_mm({12.0, 12.0}, {48.0, 30.0}));
     settle();
     EXPECT_GT(volume_mm3(), before_mm3);
-    press("tour_next");
+    wait_for([&] { return bubble()->accessibleName() != first; });
     press("tour_next");
     auto* paints = window().findChild<panels::PaintPanel*>();
     EXPECT_FALSE(bubble()->geometry().intersects(in_window(*paints)));
@@ -111,6 +123,45 @@ TEST_F(TourWindow, StandsBesideThePaintsAndPaintingGoesOn) {
     action(Command::WorkspaceExport)->trigger();
     QApplication::processEvents();
     EXPECT_TRUE(in_window(canvas()).intersects(bubble()->geometry()));
+}
+
+TEST_F(TourWindow, GoesOnAsThePainterDoesWhatItSays) {
+    const auto heading = [this] { return bubble()->accessibleName(); };
+    auto* paints = window().findChild<panels::PaintPanel*>();
+    const QToolButton* undo = nullptr;
+    for (const auto* button : window().findChild<panels::ToolBar*>()->findChildren<QToolButton*>())
+        if (button->defaultAction() == action(Command::Undo)) undo = button;
+    ASSERT_NE(undo, nullptr);
+    begin();
+    const QString paint = heading();
+    EXPECT_TRUE(frames().intersects(in_window(canvas())));
+    EXPECT_FALSE(frames().contains(in_window(canvas()).center())) << "a frame, and no veil";
+    EXPECT_FALSE(frames().intersects(in_window(*undo)));
+    canvas().setFocus();
+    mouse_stroke(line_mm({12.0, 12.0}, {48.0, 30.0}));
+    wait_for([&] { return heading() != paint; });
+    EXPECT_TRUE(canvas().hasFocus()) << "the keys stay where they are";
+
+    const QString move = heading();
+    const QPointF place = canvas().rect().center();
+    QWheelEvent wheel(place, canvas().mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&canvas(), &wheel);
+    EXPECT_EQ(heading(), move) << "paint has to be picked as well";
+    action(Command::PickPaint)->trigger();
+    WindowTest::press({30.0, 21.0});
+    release({30.0, 21.0});
+    EXPECT_NE(heading(), move);
+
+    EXPECT_TRUE(frames().intersects(in_window(*paints)));
+    EXPECT_TRUE(frames().intersects(in_window(*undo)));
+    paints->choose(paints->tubes().front());
+    EXPECT_FALSE(frames().intersects(in_window(*paints))) << "that is done";
+    EXPECT_TRUE(frames().intersects(in_window(*undo)));
+    wait_for([&] { return action(Command::Undo)->isEnabled(); });
+    action(Command::Undo)->trigger();
+    EXPECT_EQ(bubble(), nullptr);
+    EXPECT_TRUE(frames().isEmpty());
 }
 
 TEST_F(TourWindow, FitsTheWindowInEveryLanguage) {

@@ -1,21 +1,28 @@
-// The tour: three steps beside what they speak of, for a painter who has not been here.
+// The tour: three steps beside what they speak of, for a painter who has not been here. Each goes on
+// once the painter has done what it says.
 #pragma once
 
 #include "main/panel_set.hpp"
 #include "main/studio.hpp"
+
+#include <cstdint>
+#include <set>
 
 #include <QObject>
 #include <QPointer>
 
 namespace pastoso::help {
 class TourBubble;
-}
+class TourFrame;
+}  // namespace pastoso::help
 
 namespace pastoso::main {
 
 class TourCommands : public QObject {
     Q_OBJECT
   public:
+    enum class Deed { Stroke, MoveCanvas, PickPaint, ChoosePaint, TakeBack };
+
     TourCommands(Studio& studio, const PanelSet& panels);
 
     /// From the first step on.
@@ -35,12 +42,21 @@ class TourCommands : public QObject {
 
   private:
     void show_step();
+    void show_frames();
     QRect target() const;
+    const QWidget* place_of(Deed deed) const;
+    bool moves_canvas(const QEvent& event) const;
+    void take(const session::Status& status);
+    void note(Deed deed);
     void go_on();
 
     Studio& studio_;
     const PanelSet& panels_;
-    QPointer<help::TourBubble> bubble_;  ///< the window's, while the tour lasts
+    /// The window's, while the tour lasts.
+    QPointer<help::TourBubble> bubble_;
+    QPointer<help::TourFrame> frame_;
+    std::set<Deed> open_;  ///< what of the step is not done yet
+    std::int64_t strokes_ = 0;
     int step_ = 0;
     bool seen_ = false;
     bool waits_ = false;  ///< for the canvas to be free
