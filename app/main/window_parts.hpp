@@ -11,6 +11,7 @@
 #include "main/canvas/selection_margins.hpp"
 #include "main/canvas/undo_commands.hpp"
 #include "main/canvas/view_commands.hpp"
+#include "main/dock_heights.hpp"
 #include "main/files/dropped_files.hpp"
 #include "main/files/exporting.hpp"
 #include "main/files/loading.hpp"
@@ -106,6 +107,7 @@ struct WindowParts {
     PaintSettings paints;
     TubeCommands tubes;
     TourCommands tour;
+    DockHeights heights;
     WindowSettings memory;
     WorkspaceCommands workspaces;
     NewWindow new_window;

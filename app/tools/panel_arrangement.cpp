@@ -1,5 +1,8 @@
 #include "tools/panel_arrangement.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -82,11 +85,51 @@ FloatingPanel read_floating(const JsonPlace& place, Panels& panels) {
             number("width_px", 1), number("height_px", 1)};
 }
 
+/// More room than all shares is divided in proportion. Of less, each gives way alike, as panels do in a
+/// window that becomes lower. Rounded where each ends, so that nothing is left over.
+std::vector<int> portions(const std::vector<int>& shares, int room_px) {
+    const std::int64_t all = std::accumulate(shares.begin(), shares.end(), std::int64_t{0});
+    const std::int64_t lacking_px = std::max(std::int64_t{0}, all - room_px);
+    const auto count = static_cast<std::int64_t>(shares.size());
+    std::vector<int> lengths;
+    std::int64_t before = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const int share = shares[static_cast<std::size_t>(i)];
+        const std::int64_t lost_px = lacking_px * (i + 1) / count - lacking_px * i / count;
+        const std::int64_t gained_px = room_px * (before + share) / all - room_px * before / all;
+        before += share;
+        lengths.push_back(
+            static_cast<int>(lacking_px > 0 ? std::max(std::int64_t{1}, share - lost_px) : gained_px));
+    }
+    return lengths;
+}
+
 }  // namespace
 
 PanelArrangement mirrored(PanelArrangement arrangement) {
     std::swap(arrangement.at(Side::Left), arrangement.at(Side::Right));
     return arrangement;
+}
+
+std::vector<int> shared_lengths(const std::vector<LengthWish>& wishes, int room_px) {
+    std::vector<int> shares, open_shares;
+    for (const LengthWish& wish : wishes) {
+        shares.push_back(wish.share_px);
+        if (!wish.needed_px) open_shares.push_back(wish.share_px);
+    }
+    std::vector<int> lengths = portions(shares, room_px);
+    if (open_shares.empty()) return lengths;
+    int rest_px = room_px;
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+        if (!wishes[i].needed_px) continue;
+        lengths[i] = std::min(lengths[i], *wishes[i].needed_px);
+        rest_px -= lengths[i];
+    }
+    const std::vector<int> open_lengths = portions(open_shares, rest_px);
+    auto next = open_lengths.begin();
+    for (std::size_t i = 0; i < wishes.size(); ++i)
+        if (!wishes[i].needed_px) lengths[i] = *next++;
+    return lengths;
 }
 
 Json arrangement_json(const PanelArrangement& arrangement) {

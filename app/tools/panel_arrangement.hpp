@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,16 @@ struct PanelArrangement {
 
 /// What stands on the left stands on the right, and the other way round.
 PanelArrangement mirrored(PanelArrangement arrangement);
+
+/// What stands in one place along a side wants of it.
+struct LengthWish {
+    int share_px = 1;  ///< at least 1, in proportion to the others where there is more room
+    std::optional<int> needed_px{};  ///< it takes no more than this, and leaves the rest to the others
+};
+
+/// What each gets of `room_px`, at least 1, which they fill to the pixel where that is possible: its
+/// share, or less. Where there is none to leave the rest to, all have their shares.
+std::vector<int> shared_lengths(const std::vector<LengthWish>& wishes, int room_px);
 
 /// {"left": {"breadth_px": 252, "tabs": [{"panels": [...], "raised": 0, "length_px": 300}]},
 /// "floating": [...]}; sides with nothing are left out.

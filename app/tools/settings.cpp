@@ -131,12 +131,14 @@ Settings read_settings(const std::filesystem::path& file) {
             settings.brush_editor_page = static_cast<int>(page->integer(0, kMostBrushEditorPage));
         const JsonPlace pen = root.entry("pen"), window = root.entry("window");
         pen.allow_only({"steadying", "reload_each_stroke", "turn_with_stroke"});
-        window.allow_only({"place", "panels"});
+        window.allow_only({"place", "panels", "panels_by_hand"});
         settings.steadying = read_steadying(pen.entry("steadying"));
         settings.reload_each_stroke = pen.entry("reload_each_stroke").boolean();
         settings.turn_with_stroke = pen.entry("turn_with_stroke").boolean();
         settings.window_place = window.entry("place").text();
         settings.panels = window.entry("panels").text();
+        if (const auto by_hand = window.optional_entry("panels_by_hand"))
+            settings.panels_by_hand = by_hand->boolean();
     });
     return settings;
 }
@@ -158,7 +160,10 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
                     {"ambient", settings.light_ambient},
                     {"varnish", varnish_json(settings.varnish)}}},
                   {"recent_commands", settings.recent_commands},
-                  {"window", {{"place", settings.window_place}, {"panels", settings.panels}}}},
+                  {"window",
+                   {{"place", settings.window_place},
+                    {"panels", settings.panels},
+                    {"panels_by_hand", settings.panels_by_hand}}}},
                  file);
 }
 

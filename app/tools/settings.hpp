@@ -31,6 +31,7 @@ struct Settings {
     int brush_editor_page = 0;                 ///< the one that was open last, 0 to kMostBrushEditorPage
     std::string window_place;                  ///< as Qt writes it, in base 64; empty: nothing is known
     std::string panels;  ///< the same: which stand where, how large, and which are open
+    bool panels_by_hand = false;  ///< their heights are the painter's own
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 

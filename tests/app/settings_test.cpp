@@ -49,6 +49,7 @@ TEST_F(SettingsTest, ComeBackAsTheyWereWritten) {
     settings.brush_editor_page = 4;
     settings.window_place = "AdnQywAD";
     settings.panels = "AAAA/wAAAAD9";
+    settings.panels_by_hand = true;
     write_settings(settings, file());
     EXPECT_EQ(read_settings(file()), settings);
 }

@@ -47,6 +47,22 @@ TEST(PanelArrangement, MirroredTwiceIsAsItWas) {
     EXPECT_EQ(mirrored(panels).at(Side::Bottom), panels.at(Side::Bottom));
 }
 
+TEST(PanelArrangement, WhatNeedsLessThanItsShareLeavesTheRestToTheOthers) {
+    using testing::ElementsAre;
+    EXPECT_THAT(shared_lengths({{500, {}}, {300, {}}}, 1600), ElementsAre(1000, 600));
+    EXPECT_THAT(shared_lengths({{500, {}}, {300, 240}}, 1600), ElementsAre(1360, 240));
+    EXPECT_THAT(shared_lengths({{500, {}}, {300, 900}}, 1600), ElementsAre(1000, 600))
+        << "no more than its share";
+    EXPECT_THAT(shared_lengths({{300, {}}, {100, {}}, {200, 50}}, 450), ElementsAre(300, 100, 50));
+    EXPECT_THAT(shared_lengths({{200, 50}, {100, {}}, {300, {}}}, 450), ElementsAre(50, 100, 300))
+        << "in any order";
+    EXPECT_THAT(shared_lengths({{1, 10}, {1, 10}}, 100), ElementsAre(50, 50)) << "all of it is used";
+    EXPECT_THAT(shared_lengths({{378, {}}, {141, {}}, {171, {}}}, 546), ElementsAre(330, 93, 123))
+        << "of too little room each gives way alike";
+    EXPECT_THAT(shared_lengths({{500, {}}, {300, 200}}, 690), ElementsAre(490, 200));
+    EXPECT_THAT(shared_lengths({{1, {}}, {1, {}}, {1, {}}}, 100), ElementsAre(33, 33, 34));
+}
+
 TEST(Workspaces, ThoseThatComeWithTheProgramNamePanelsThatHaveAHome) {
     const std::set<std::string> all = names_in(panels_at_home());
     EXPECT_EQ(all.size(), 16U);

@@ -5,12 +5,15 @@
 #include "main/program/language.hpp"
 #include "main/window_parts.hpp"
 
+#include <cstdlib>
+
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSlider>
+#include <QTest>
 #include <QToolBar>
 #include <gmock/gmock.h>
 
@@ -260,6 +263,61 @@ TEST_F(WorkspacesWindow, TheToolBarStandsUprightAtASideAndChangesItWithTheHand) 
     give(Command::ResetPanels);
     EXPECT_EQ(window().toolBarArea(bar()), Qt::TopToolBarArea);
     EXPECT_EQ(slider()->orientation(), Qt::Horizontal);
+}
+
+TEST_F(WorkspacesWindow, FewLayersLeaveTheirRoomToTheTool) {
+    const auto layers_px = [this] { return dock("layers_panel").height(); };
+    const auto tool_px = [this] { return dock("tool_panel").height(); };
+    const auto add_layers = [this](int count) {
+        for (int i = 0; i < count; ++i)
+            give(Command::AddLayer);
+        session().wait_until_applied();
+        settle();
+        QApplication::processEvents();
+    };
+    const QSize high(1600, 1400);
+    window().resize(high);
+    wait_for([&] { return window().size() == high; });
+    constexpr int kEdges_px = 8, kRow_px = 44;
+    const auto asks_px = [this] { return dock("layers_panel").sizeHint().height(); };
+    wait_for([&] { return std::abs(layers_px() - asks_px()) <= kEdges_px; });
+    const int few_px = layers_px(), side_px = layers_px() + tool_px();
+    EXPECT_LT(layers_px() * 100, side_px * 33) << "its share would be more than a third";
+    add_layers(2);
+    EXPECT_NEAR(layers_px(), few_px, kEdges_px) << "three rows are there at least";
+    add_layers(2);
+    wait_for([&] { return std::abs(layers_px() - few_px - 2 * kRow_px) <= kEdges_px; });
+    EXPECT_NEAR(layers_px() + tool_px(), side_px, kEdges_px);
+    add_layers(12);
+    wait_for([&] { return layers_px() > few_px + 2 * kRow_px + kEdges_px; });
+    EXPECT_LE(layers_px() * 100, side_px * 40) << "and no more than its share";
+    const int most_px = layers_px();
+    mouse_stroke(line_mm({12.0, 12.0}, {48.0, 30.0}));
+    settle();
+    EXPECT_EQ(layers_px(), most_px) << "nothing moves while one paints";
+}
+
+TEST_F(WorkspacesWindow, WhoDragsABorderKeepsHisHeights) {
+    main::DockHeights& heights = parts().heights;
+    EXPECT_TRUE(heights.follows());
+    const QRect tool = dock("tool_panel").geometry();
+    QPoint border(tool.center().x(), tool.bottom());
+    while (!window().isSeparator(border) && border.y() < window().height())
+        border.ry() += 1;
+    ASSERT_TRUE(window().isSeparator(border));
+    QTest::mousePress(&window(), Qt::LeftButton, {}, border);
+    QTest::mouseRelease(&window(), Qt::LeftButton, {}, border);
+    EXPECT_FALSE(heights.follows());
+    start_again();
+    EXPECT_FALSE(parts().heights.follows()) << "as they were left";
+    give(Command::ResetPanels);
+    EXPECT_TRUE(parts().heights.follows());
+    start_again();
+    EXPECT_TRUE(parts().heights.follows());
+    workspaces().save(QStringLiteral("Mine"));
+    EXPECT_FALSE(parts().heights.follows()) << "as they were saved";
+    start_again();
+    EXPECT_FALSE(parts().heights.follows());
 }
 
 TEST_F(WorkspacesWindow, EveryOneFitsEveryScreenInEveryLanguage) {

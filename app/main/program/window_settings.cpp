@@ -3,6 +3,7 @@
 #include "commands/command_names.hpp"
 #include "core/user_data.hpp"
 #include "main/canvas/undo_commands.hpp"
+#include "main/dock_heights.hpp"
 #include "main/files/start_commands.hpp"
 #include "main/paint/light_choice.hpp"
 #include "main/paint/well_commands.hpp"
@@ -51,7 +52,7 @@ std::vector<std::string> recent_names(const commands::CommandRegistry& commands)
 
 WindowSettings::WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light,
                                UndoCommands& undo, WellCommands& well, StartCommands& start,
-                               BrushEditing& brush_editing, TourCommands& tour)
+                               BrushEditing& brush_editing, TourCommands& tour, DockHeights& heights)
     : studio_(studio),
       panels_(panels),
       light_(light),
@@ -60,6 +61,7 @@ WindowSettings::WindowSettings(Studio& studio, const PanelSet& panels, LightChoi
       start_(start),
       brush_editing_(brush_editing),
       tour_(tour),
+      heights_(heights),
       file_(studio, core::user_config_path("settings.json"),
             [](const auto& file) { tools::read_settings(file); }) {}
 
@@ -85,6 +87,7 @@ bool WindowSettings::recall() {
     brush_editing_.set_page(settings.brush_editor_page);
     window.restoreGeometry(from_text(settings.window_place));
     const bool panels_stand = window.restoreState(from_text(settings.panels), kPanelsVersion);
+    if (panels_stand && settings.panels_by_hand) heights_.leave_as_they_are();
     well_.set_sized(panels_stand);
     return panels_stand;
 }
@@ -107,6 +110,7 @@ void WindowSettings::remember() {
     settings.brush_editor_page = brush_editing_.page();
     settings.window_place = to_text(studio_.window().saveGeometry());
     settings.panels = to_text(studio_.window().saveState(kPanelsVersion));
+    settings.panels_by_hand = !heights_.follows();
     file_.remember([&settings](const auto& file) { tools::write_settings(settings, file); });
 }
 

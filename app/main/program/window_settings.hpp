@@ -10,6 +10,7 @@
 namespace pastoso::main {
 
 class BrushEditing;
+class DockHeights;
 class LightChoice;
 class StartCommands;
 class TourCommands;
@@ -21,7 +22,7 @@ class WindowSettings : public QObject {
   public:
     WindowSettings(Studio& studio, const PanelSet& panels, LightChoice& light, UndoCommands& undo,
                    WellCommands& well, StartCommands& start, BrushEditing& brush_editing,
-                   TourCommands& tour);
+                   TourCommands& tour, DockHeights& heights);
 
     /// Whether the panels stand as they were left; otherwise as before. A file that cannot be read is
     /// told, and left as it is.
@@ -37,6 +38,7 @@ class WindowSettings : public QObject {
     StartCommands& start_;
     BrushEditing& brush_editing_;
     TourCommands& tour_;
+    DockHeights& heights_;
     RememberedFile file_;
 };
 

@@ -4,6 +4,7 @@
 #include "core/user_data.hpp"
 #include "dialogs/name_question.hpp"
 #include "main/dock_arrangement.hpp"
+#include "main/dock_heights.hpp"
 #include "panels/parts/tool_bar.hpp"
 
 #include <algorithm>
@@ -43,9 +44,10 @@ void mirror(QMainWindow& window, QToolBar* bar) {
 
 }  // namespace
 
-WorkspaceCommands::WorkspaceCommands(Studio& studio, const PanelSet& panels)
+WorkspaceCommands::WorkspaceCommands(Studio& studio, const PanelSet& panels, DockHeights& heights)
     : studio_(studio),
       panels_(panels),
+      heights_(heights),
       menu_(menu_of(studio.window().menuBar(), studio.commands().action(Command::SaveWorkspace))),
       file_(studio, core::user_config_path("workspaces.json"),
             [](const auto& file) { tools::read_workspaces(file); }) {
@@ -75,12 +77,14 @@ void WorkspaceCommands::connect_commands() {
 void WorkspaceCommands::recall(bool stand) {
     file_.recall([this](const auto& file) { workspaces_ = tools::read_workspaces(file); });
     if (!stand) put_up(tools::arrangement_in_use(workspaces_));
+    if (!stand || heights_.follows()) size_panels();
     show();
 }
 
 void WorkspaceCommands::use(Workspace shipped) {
     tools::use(shipped, workspaces_);
     put_up(tools::arrangement_of(shipped));
+    size_panels();
     remember();
 }
 
@@ -88,6 +92,7 @@ void WorkspaceCommands::use(const std::string& name) {
     const tools::OwnWorkspace* own = tools::find_own(workspaces_, name);
     tools::use(*own, workspaces_);
     put_up(own->panels);
+    size_panels();
     remember();
 }
 
@@ -100,6 +105,14 @@ void WorkspaceCommands::put_up(const PanelArrangement& right_handed) {
     studio_.canvas().setFocus();
 }
 
+/// In an own one they are as they were saved.
+void WorkspaceCommands::size_panels() {
+    if (workspaces_.in_use.empty())
+        heights_.follow(tools::arrangement_in_use(workspaces_));
+    else
+        heights_.leave_as_they_are();
+}
+
 void WorkspaceCommands::set_left_handed(bool left_handed) {
     if (left_handed == workspaces_.left_handed) return;
     Q_EMIT arranging();
@@ -107,6 +120,7 @@ void WorkspaceCommands::set_left_handed(bool left_handed) {
     const bool was_left_handed = std::exchange(workspaces_.left_handed, left_handed);
     mirror(studio_.window(), panels_.bar);
     put_up(was_left_handed ? tools::mirrored(stand) : stand);
+    if (heights_.follows()) size_panels();
     remember();
 }
 
@@ -116,6 +130,7 @@ void WorkspaceCommands::save(const QString& name) {
     const PanelArrangement stand = read_docks(studio_.window());
     tools::keep(name.trimmed().toStdString(), workspaces_.left_handed ? tools::mirrored(stand) : stand,
                 workspaces_);
+    size_panels();
     remember();
 }
 

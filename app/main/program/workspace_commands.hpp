@@ -13,10 +13,12 @@ class QMenu;
 
 namespace pastoso::main {
 
+class DockHeights;
+
 class WorkspaceCommands : public QObject {
     Q_OBJECT
   public:
-    WorkspaceCommands(Studio& studio, const PanelSet& panels);
+    WorkspaceCommands(Studio& studio, const PanelSet& panels, DockHeights& heights);
 
     /// Where `stand` is false, the panels do not stand yet as they were left, and are put up as in the
     /// workspace in use. A file that cannot be read is told, and left as it is.
@@ -49,12 +51,14 @@ class WorkspaceCommands : public QObject {
     void reset();
     bool may_be(const QString& name);
     void put_up(const tools::PanelArrangement& right_handed);
+    void size_panels();
     void remember();
     void show();
     void fill_menu();
 
     Studio& studio_;
     const PanelSet& panels_;
+    DockHeights& heights_;
     QMenu* menu_;
     QList<QAction*> own_;  ///< in the menu
     tools::Workspaces workspaces_;

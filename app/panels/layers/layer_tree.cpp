@@ -57,12 +57,28 @@ QSize LayerTree::minimumSizeHint() const {
     return {QTreeView::minimumSizeHint().width(), kLayerRow + 2 * frameWidth()};
 }
 
+QSize LayerTree::sizeHint() const {
+    constexpr int kFewestRows = 3;
+    return {QTreeView::sizeHint().width(),
+            std::max(kFewestRows, shown_rows()) * kLayerRow + 2 * frameWidth()};
+}
+
+int LayerTree::shown_rows() const {
+    int rows = model_.rowCount();
+    for (int entry = 0; entry < model_.rowCount(); ++entry) {
+        const QModelIndex index = model_.index(entry, 0);
+        if (isExpanded(index)) rows += model_.rowCount(index);
+    }
+    return rows;
+}
+
 /// Groups stand open unless the painter has folded them.
 void LayerTree::unfold() {
     for (int entry = 0; entry < model_.rowCount(); ++entry) {
         const QModelIndex index = model_.index(entry, 0);
         setExpanded(index, !folded_.contains(model_.row_at(index).group));
     }
+    updateGeometry();
 }
 
 void LayerTree::show(const document::LayerStack& stack, const tools::LayerRow& chosen) {

@@ -38,6 +38,8 @@ class LayerTree : public QTreeView {
 
     /// One row is seen where there is no room for more.
     QSize minimumSizeHint() const override;
+    /// As high as its rows, and a few more than one where there are no more.
+    QSize sizeHint() const override;
 
   Q_SIGNALS:
     void chosen(const tools::LayerRow& row);
@@ -61,6 +63,7 @@ class LayerTree : public QTreeView {
   private:
     bool click_icon(const QMouseEvent& event);
     void unfold();
+    int shown_rows() const;
     QPixmap dragged_picture(const QModelIndex& index);
 
     LayerModel model_;
