@@ -22,7 +22,8 @@ void CanvasTextures::initialise(QOpenGLExtraFunctions* gl, grid::Shape shape) {
     pages_ = page_layout(shape, number(*gl_, GL_MAX_TEXTURE_SIZE));
     if (pages_.count() > number(*gl_, GL_MAX_ARRAY_TEXTURE_LAYERS)) {
         throw graphics::GraphicsFault(
-            "The canvas is %1 x %2 cells, more than this graphics driver can show.", shape.width, shape.height);
+            "The canvas is %1 x %2 pixels, more than this graphics driver can show.", shape.width,
+            shape.height);
     }
     surface_ = make_texture(GL_RGB32F, kThree);
     colour_ = make_texture(GL_RGBA16F, kFour);

@@ -102,7 +102,7 @@ void check_canvas(const CanvasSettings& settings) {
                   kMaxClothPlace_mm, "mm");
     const grid::Shape shape = canvas_shape(settings);
     if (std::max(shape.width, shape.height) > kMaxCellsPerSide) {
-        throw core::InputError("%1 would have %2 x %3 cells; at most %4 a side are possible.",
+        throw core::InputError("%1 would have %2 x %3 pixels; at most %4 a side are possible.",
                                size_of(settings), shape.width, shape.height, kMaxCellsPerSide);
     }
 }

@@ -44,7 +44,7 @@ TEST(Canvas, RefusesSizesThatAreNoSizes) {
 TEST(Canvas, RefusesMoreCellsThanASideMayHave) {
     EXPECT_EQ(
         error(canvas_of(2000, 10, 20)),
-        "A canvas of 2000 x 10 mm at 20 px/mm would have 40000 x 200 cells; at most 32768 a side are "
+        "A canvas of 2000 x 10 mm at 20 px/mm would have 40000 x 200 pixels; at most 32768 a side are "
         "possible.");
 }
 
