@@ -174,10 +174,6 @@
         <translation>&quot;%1&quot; is not one of %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not one of krita and photoshop.</source>
-        <translation>&quot;%1&quot; is not one of krita and photoshop.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is the key of %2 already.</source>
         <translation>&quot;%1&quot; is the key of %2 already.</translation>
     </message>
@@ -384,10 +380,6 @@
     <message>
         <source>%1 triangles take %2 bytes, but the file has %3.</source>
         <translation>%1 triangles take %2 bytes, but the file has %3.</translation>
-    </message>
-    <message>
-        <source>%1 would have %2 x %3 cells; at most %4 a side are possible.</source>
-        <translation>%1 would have %2 x %3 cells; at most %4 a side are possible.</translation>
     </message>
     <message>
         <source>%1 x %2 cells need about %3; %4 of memory are free.</source>
@@ -928,10 +920,6 @@
     <message>
         <source>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</source>
         <translation>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</translation>
-    </message>
-    <message>
-        <source>The canvas is %1 x %2 cells, more than this graphics driver can show.</source>
-        <translation>The canvas is %1 x %2 cells, more than this graphics driver can show.</translation>
     </message>
     <message>
         <source>The cells of the box of liquid are %1 m wide, which is no size.</source>
@@ -3105,6 +3093,18 @@
         <source>there is more paint than is read, 4 GB.</source>
         <translation>there is more paint than is read, 4 GB.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not one of pastoso, krita and photoshop.</source>
+        <translation>&quot;%1&quot; is not one of pastoso, krita and photoshop.</translation>
+    </message>
+    <message>
+        <source>%1 would have %2 x %3 pixels; at most %4 a side are possible.</source>
+        <translation>%1 would have %2 x %3 pixels; at most %4 a side are possible.</translation>
+    </message>
+    <message>
+        <source>The canvas is %1 x %2 pixels, more than this graphics driver can show.</source>
+        <translation>The canvas is %1 x %2 pixels, more than this graphics driver can show.</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3166,6 +3166,157 @@
         <source>Medium</source>
         <translation>Medium</translation>
     </message>
+    <message>
+        <source>Your mix</source>
+        <translation>Your mix</translation>
+    </message>
+</context>
+<context>
+    <name>FindableControls</name>
+    <message>
+        <source>Harmony</source>
+        <translation>Harmony</translation>
+    </message>
+    <message>
+        <source>Marks for hues that go together, on the colour wheel</source>
+        <translation>Marks for hues that go together, on the colour wheel</translation>
+    </message>
+    <message>
+        <source>complementary, analogous, triad, tetrad, colour scheme, color scheme</source>
+        <translation>complementary, analogous, triad, tetrad, colour scheme, color scheme</translation>
+    </message>
+    <message>
+        <source>Gamut mask</source>
+        <translation>Gamut mask</translation>
+    </message>
+    <message>
+        <source>A shape on the colour wheel to choose within</source>
+        <translation>A shape on the colour wheel to choose within</translation>
+    </message>
+    <message>
+        <source>limited palette, color mask</source>
+        <translation>limited palette, color mask</translation>
+    </message>
+    <message>
+        <source>Keep on your palette</source>
+        <translation>Keep on your palette</translation>
+    </message>
+    <message>
+        <source>Lay the paint in hand out on your palette</source>
+        <translation>Lay the paint in hand out on your palette</translation>
+    </message>
+    <message>
+        <source>swatch, add colour, add color</source>
+        <translation>swatch, add colour, add color</translation>
+    </message>
+    <message>
+        <source>Save the palette</source>
+        <translation>Save the palette</translation>
+    </message>
+    <message>
+        <source>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</source>
+        <translation>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</translation>
+    </message>
+    <message>
+        <source>gpl, swatches, export palette</source>
+        <translation>gpl, swatches, export palette</translation>
+    </message>
+    <message>
+        <source>Open a palette</source>
+        <translation>Open a palette</translation>
+    </message>
+    <message>
+        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
+        <translation>Colours of GIMP, Krita or Inkscape, from a .gpl file</translation>
+    </message>
+    <message>
+        <source>gpl, swatches, import palette</source>
+        <translation>gpl, swatches, import palette</translation>
+    </message>
+    <message>
+        <source>Palette from a picture</source>
+        <translation>Palette from a picture</translation>
+    </message>
+    <message>
+        <source>Finds the colours that a picture is made of</source>
+        <translation>Finds the colours that a picture is made of</translation>
+    </message>
+    <message>
+        <source>extract, palette from image</source>
+        <translation>extract, palette from image</translation>
+    </message>
+    <message>
+        <source>Keep as a mix</source>
+        <translation>Keep as a mix</translation>
+    </message>
+    <message>
+        <source>Keep the paint in hand as a recipe of tubes, under a name of your own</source>
+        <translation>Keep the paint in hand as a recipe of tubes, under a name of your own</translation>
+    </message>
+    <message>
+        <source>recipe, save colour, save color</source>
+        <translation>recipe, save colour, save color</translation>
+    </message>
+    <message>
+        <source>Sets of tubes</source>
+        <translation>Sets of tubes</translation>
+    </message>
+    <message>
+        <source>Which tubes are shown: all of them, or a set of yours</source>
+        <translation>Which tubes are shown: all of them, or a set of yours</translation>
+    </message>
+    <message>
+        <source>tube sets, palette of tubes</source>
+        <translation>tube sets, palette of tubes</translation>
+    </message>
+    <message>
+        <source>Tags of tools</source>
+        <translation>Tags of tools</translation>
+    </message>
+    <message>
+        <source>Which tools are listed: a family, favourites or a tag</source>
+        <translation>Which tools are listed: a family, favourites or a tag</translation>
+    </message>
+    <message>
+        <source>tagged, collections, brush sets</source>
+        <translation>tagged, collections, brush sets</translation>
+    </message>
+    <message>
+        <source>Snapping strength</source>
+        <translation>Snapping strength</translation>
+    </message>
+    <message>
+        <source>How far the guide draws the brush from where your hand is</source>
+        <translation>How far the guide draws the brush from where your hand is</translation>
+    </message>
+    <message>
+        <source>magnetic, assistant strength</source>
+        <translation>magnetic, assistant strength</translation>
+    </message>
+    <message>
+        <source>Squeeze out the last painting&apos;s palette</source>
+        <translation>Squeeze out the last painting&apos;s palette</translation>
+    </message>
+    <message>
+        <source>The paints and mixtures of the earlier well, onto the mixing well</source>
+        <translation>The paints and mixtures of the earlier well, onto the mixing well</translation>
+    </message>
+    <message>
+        <source>restore palette, palette of before</source>
+        <translation>restore palette, palette of before</translation>
+    </message>
+    <message>
+        <source>New tag for the tool in hand</source>
+        <translation>New tag for the tool in hand</translation>
+    </message>
+    <message>
+        <source>A word of your own under which the tool is listed</source>
+        <translation>A word of your own under which the tool is listed</translation>
+    </message>
+    <message>
+        <source>add tag, label</source>
+        <translation>add tag, label</translation>
+    </message>
 </context>
 <context>
     <name>FolderFacts</name>
@@ -3207,6 +3358,14 @@
     <message>
         <source>The keys of Photoshop, where it has the same command</source>
         <translation>The keys of Photoshop, where it has the same command</translation>
+    </message>
+    <message>
+        <source>Pastoso</source>
+        <translation>Pastoso</translation>
+    </message>
+    <message>
+        <source>Krita&apos;s keys, but for short ones of what only wet paint has</source>
+        <translation>Krita&apos;s keys, but for short ones of what only wet paint has</translation>
     </message>
 </context>
 <context>
@@ -4375,6 +4534,25 @@
     <message>
         <source>A clear coat over the whole painting that is looked through, and changes no paint</source>
         <translation>A clear coat over the whole painting that is looked through, and changes no paint</translation>
+    </message>
+    <message>
+        <source>ΔE is how far two colours differ to the eye: 1 is seen side by side, 2 to 3 at a second look</source>
+        <translation>ΔE is how far two colours differ to the eye: 1 is seen side by side, 2 to 3 at a second look</translation>
+    </message>
+    <message>
+        <source>D65, D50 and A are the lights that colours are measured in everywhere: daylight, the light of print booths, and a light bulb</source>
+        <translation>D65, D50 and A are the lights that colours are measured in everywhere: daylight, the light of print booths, and a light bulb</translation>
+    </message>
+    <message>
+        <source>A soft proof shows on the screen how the painting would be printed; the gamut warning shows what this printer cannot print</source>
+        <translation>A soft proof shows on the screen how the painting would be printed; the gamut warning shows what this printer cannot print</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::appearance::UnitBox</name>
+    <message>
+        <source>&quot;%1&quot; is not understood here; the number stays as it was.</source>
+        <translation>&quot;%1&quot; is not understood here; the number stays as it was.</translation>
     </message>
 </context>
 <context>
@@ -5644,10 +5822,6 @@
         <translation>Pa&amp;int it again, finer...</translation>
     </message>
     <message>
-        <source>All strokes once more, on finer cells, beside the painting on the easel</source>
-        <translation>All strokes once more, on finer cells, beside the painting on the easel</translation>
-    </message>
-    <message>
         <source>Soft &amp;proof</source>
         <translation>Soft &amp;proof</translation>
     </message>
@@ -6271,6 +6445,302 @@
         <source>Make the edge of the selection soft, so that paint fades out there</source>
         <translation>Make the edge of the selection soft, so that paint fades out there</translation>
     </message>
+    <message>
+        <source>All strokes once more, finer, beside the painting on the easel</source>
+        <translation>All strokes once more, finer, beside the painting on the easel</translation>
+    </message>
+    <message>
+        <source>save incremental, iteration</source>
+        <translation>save incremental, iteration</translation>
+    </message>
+    <message>
+        <source>png, jpeg, tiff, save as a picture</source>
+        <translation>png, jpeg, tiff, save as a picture</translation>
+    </message>
+    <message>
+        <source>replay, playback</source>
+        <translation>replay, playback</translation>
+    </message>
+    <message>
+        <source>video, mp4, speed painting</source>
+        <translation>video, mp4, speed painting</translation>
+    </message>
+    <message>
+        <source>upscale, higher resolution, enlarge</source>
+        <translation>upscale, higher resolution, enlarge</translation>
+    </message>
+    <message>
+        <source>copy visible, copy flattened</source>
+        <translation>copy visible, copy flattened</translation>
+    </message>
+    <message>
+        <source>resize image, resolution, dpi</source>
+        <translation>resize image, resolution, dpi</translation>
+    </message>
+    <message>
+        <source>resize canvas, extend, expand</source>
+        <translation>resize canvas, extend, expand</translation>
+    </message>
+    <message>
+        <source>trim to selection</source>
+        <translation>trim to selection</translation>
+    </message>
+    <message>
+        <source>flip</source>
+        <translation>flip</translation>
+    </message>
+    <message>
+        <source>straighten</source>
+        <translation>straighten</translation>
+    </message>
+    <message>
+        <source>brush size, smaller</source>
+        <translation>brush size, smaller</translation>
+    </message>
+    <message>
+        <source>brush size, larger, bigger</source>
+        <translation>brush size, larger, bigger</translation>
+    </message>
+    <message>
+        <source>dip, load</source>
+        <translation>dip, load</translation>
+    </message>
+    <message>
+        <source>rinse, wash, smudge, blend</source>
+        <translation>rinse, wash, smudge, blend</translation>
+    </message>
+    <message>
+        <source>dilute, water, thinner, solvent</source>
+        <translation>dilute, water, thinner, solvent</translation>
+    </message>
+    <message>
+        <source>quick menu, radial menu</source>
+        <translation>quick menu, radial menu</translation>
+    </message>
+    <message>
+        <source>eyedropper, colour picker, color picker, pipette</source>
+        <translation>eyedropper, colour picker, color picker, pipette</translation>
+    </message>
+    <message>
+        <source>eyedropper, color picker, pipette</source>
+        <translation>eyedropper, color picker, pipette</translation>
+    </message>
+    <message>
+        <source>brush settings, brush studio, brush engine</source>
+        <translation>brush settings, brush studio, brush engine</translation>
+    </message>
+    <message>
+        <source>bundle, brush set, resources</source>
+        <translation>bundle, brush set, resources</translation>
+    </message>
+    <message>
+        <source>dryer, fast dry, dry layer</source>
+        <translation>dryer, fast dry, dry layer</translation>
+    </message>
+    <message>
+        <source>mixing palette, mixer, scratchpad</source>
+        <translation>mixing palette, mixer, scratchpad</translation>
+    </message>
+    <message>
+        <source>bucket, flood fill</source>
+        <translation>bucket, flood fill</translation>
+    </message>
+    <message>
+        <source>bucket, background fill</source>
+        <translation>bucket, background fill</translation>
+    </message>
+    <message>
+        <source>imprimatura, background, gesso</source>
+        <translation>imprimatura, background, gesso</translation>
+    </message>
+    <message>
+        <source>import layer, insert image, place image</source>
+        <translation>import layer, insert image, place image</translation>
+    </message>
+    <message>
+        <source>delete layer</source>
+        <translation>delete layer</translation>
+    </message>
+    <message>
+        <source>free transform, scale, rotate, distort, perspective, skew, move tool</source>
+        <translation>free transform, scale, rotate, distort, perspective, skew, move tool</translation>
+    </message>
+    <message>
+        <source>saturation, hsv, colour balance, color balance</source>
+        <translation>saturation, hsv, colour balance, color balance</translation>
+    </message>
+    <message>
+        <source>merge visible, merge all</source>
+        <translation>merge visible, merge all</translation>
+    </message>
+    <message>
+        <source>folder, quick group</source>
+        <translation>folder, quick group</translation>
+    </message>
+    <message>
+        <source>alpha lock, lock transparency</source>
+        <translation>alpha lock, lock transparency</translation>
+    </message>
+    <message>
+        <source>clipping mask, clipping group, inherit alpha</source>
+        <translation>clipping mask, clipping group, inherit alpha</translation>
+    </message>
+    <message>
+        <source>marquee, rectangular selection</source>
+        <translation>marquee, rectangular selection</translation>
+    </message>
+    <message>
+        <source>marquee, elliptical selection, oval, circle</source>
+        <translation>marquee, elliptical selection, oval, circle</translation>
+    </message>
+    <message>
+        <source>freehand selection</source>
+        <translation>freehand selection</translation>
+    </message>
+    <message>
+        <source>magic wand, automatic selection</source>
+        <translation>magic wand, automatic selection</translation>
+    </message>
+    <message>
+        <source>magic wand, colour range, color range</source>
+        <translation>magic wand, colour range, color range</translation>
+    </message>
+    <message>
+        <source>deselect, select none, select all</source>
+        <translation>deselect, select none, select all</translation>
+    </message>
+    <message>
+        <source>inverse</source>
+        <translation>inverse</translation>
+    </message>
+    <message>
+        <source>expand</source>
+        <translation>expand</translation>
+    </message>
+    <message>
+        <source>contract</source>
+        <translation>contract</translation>
+    </message>
+    <message>
+        <source>soften, blur edge</source>
+        <translation>soften, blur edge</translation>
+    </message>
+    <message>
+        <source>select opaque, alpha to selection</source>
+        <translation>select opaque, alpha to selection</translation>
+    </message>
+    <message>
+        <source>frisket, liquid mask, drawing gum</source>
+        <translation>frisket, liquid mask, drawing gum</translation>
+    </message>
+    <message>
+        <source>frisket, stencil</source>
+        <translation>frisket, stencil</translation>
+    </message>
+    <message>
+        <source>frisket, stencil, protect</source>
+        <translation>frisket, stencil, protect</translation>
+    </message>
+    <message>
+        <source>remove frisket</source>
+        <translation>remove frisket</translation>
+    </message>
+    <message>
+        <source>marching ants, display selection</source>
+        <translation>marching ants, display selection</translation>
+    </message>
+    <message>
+        <source>symmetry tool, multibrush</source>
+        <translation>symmetry tool, multibrush</translation>
+    </message>
+    <message>
+        <source>radial symmetry, multibrush, mandala</source>
+        <translation>radial symmetry, multibrush, mandala</translation>
+    </message>
+    <message>
+        <source>assistant, straight line, drawing guide</source>
+        <translation>assistant, straight line, drawing guide</translation>
+    </message>
+    <message>
+        <source>assistant, drawing guide</source>
+        <translation>assistant, drawing guide</translation>
+    </message>
+    <message>
+        <source>assistant, vanishing point</source>
+        <translation>assistant, vanishing point</translation>
+    </message>
+    <message>
+        <source>assistant, snapping</source>
+        <translation>assistant, snapping</translation>
+    </message>
+    <message>
+        <source>tracing paper, light table, template</source>
+        <translation>tracing paper, light table, template</translation>
+    </message>
+    <message>
+        <source>reference image, mood board</source>
+        <translation>reference image, mood board</translation>
+    </message>
+    <message>
+        <source>flip canvas</source>
+        <translation>flip canvas</translation>
+    </message>
+    <message>
+        <source>hide panels, canvas-only mode</source>
+        <translation>hide panels, canvas-only mode</translation>
+    </message>
+    <message>
+        <source>greyscale, grayscale, black and white, desaturate</source>
+        <translation>greyscale, grayscale, black and white, desaturate</translation>
+    </message>
+    <message>
+        <source>cmyk, print preview</source>
+        <translation>cmyk, print preview</translation>
+    </message>
+    <message>
+        <source>brush library, presets</source>
+        <translation>brush library, presets</translation>
+    </message>
+    <message>
+        <source>gravity, drips, canvas tilt</source>
+        <translation>gravity, drips, canvas tilt</translation>
+    </message>
+    <message>
+        <source>color wheel, colour selector, swatches</source>
+        <translation>color wheel, colour selector, swatches</translation>
+    </message>
+    <message>
+        <source>gloss, impasto, bump</source>
+        <translation>gloss, impasto, bump</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>overview</translation>
+    </message>
+    <message>
+        <source>default layout, reset workspace</source>
+        <translation>default layout, reset workspace</translation>
+    </message>
+    <message>
+        <source>search actions</source>
+        <translation>search actions</translation>
+    </message>
+    <message>
+        <source>shortcuts, hotkeys, keyboard</source>
+        <translation>shortcuts, hotkeys, keyboard</translation>
+    </message>
+    <message>
+        <source>preferences, configure, options, theme, language</source>
+        <translation>preferences, configure, options, theme, language</translation>
+    </message>
+    <message>
+        <source>stylus, pressure curve</source>
+        <translation>stylus, pressure curve</translation>
+    </message>
+    <message>
+        <source>tutorial, getting started</source>
+        <translation>tutorial, getting started</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6485,6 +6955,10 @@
         <translation>A picture of %1 × %2 pixels.
 %3</translation>
     </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>Other units may be typed as well: 50 cm, 20 in, 3000 px</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::CommandPalette</name>
@@ -6518,6 +6992,10 @@
     <message>
         <source>Copy the report</source>
         <translation>Copy the report</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Report</translation>
     </message>
 </context>
 <context>
@@ -6675,10 +7153,6 @@
         <translation> mm apart</translation>
     </message>
     <message>
-        <source>Distance between two points of the surface; 0 is as far as the cells, or farther where the canvas is large</source>
-        <translation>Distance between two points of the surface; 0 is as far as the cells, or farther where the canvas is large</translation>
-    </message>
-    <message>
         <source>automatic</source>
         <translation>automatic</translation>
     </message>
@@ -6751,10 +7225,6 @@
         <translation> px/mm</translation>
     </message>
     <message>
-        <source>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
-        <translation>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</translation>
-    </message>
-    <message>
         <source>as it was painted</source>
         <translation>as it was painted</translation>
     </message>
@@ -6769,6 +7239,18 @@
     <message>
         <source>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</source>
         <translation>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels</source>
+        <translation>Width of the picture in pixels</translation>
+    </message>
+    <message>
+        <source>Distance between two points of the surface; 0 is as far as the pixels, or farther where the canvas is large</source>
+        <translation>Distance between two points of the surface; 0 is as far as the pixels, or farther where the canvas is large</translation>
+    </message>
+    <message>
+        <source>Pixels in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
+        <translation>Pixels in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</translation>
     </message>
 </context>
 <context>
@@ -6848,6 +7330,18 @@
         <source>Forget my own</source>
         <translation>Forget my own</translation>
     </message>
+    <message>
+        <source>Set of keys</source>
+        <translation>Set of keys</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commands</translation>
+    </message>
+    <message>
+        <source>No command has such words or keys.</source>
+        <translation>No command has such words or keys.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::LengthDialog</name>
@@ -6923,16 +7417,32 @@
         <translation>Dots per inch may be typed as well: 127 dpi</translation>
     </message>
     <message>
-        <source>Other units may be typed as well: 50 cm, 20 in</source>
-        <translation>Other units may be typed as well: 50 cm, 20 in</translation>
-    </message>
-    <message>
         <source>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</source>
         <translation>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
         <translation>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>Other units may be typed as well: 50 cm, 20 in, 3000 px</translation>
+    </message>
+    <message>
+        <source>Toned ground</source>
+        <translation>Toned ground</translation>
+    </message>
+    <message>
+        <source>A dry coat of the paint in hand covers the whole canvas, on a layer of its own</source>
+        <translation>A dry coat of the paint in hand covers the whole canvas, on a layer of its own</translation>
+    </message>
+    <message>
+        <source>0.02 mm tints the canvas, 0.1 mm covers it</source>
+        <translation>0.02 mm tints the canvas, 0.1 mm covers it</translation>
+    </message>
+    <message>
+        <source>Thickness of the toned ground</source>
+        <translation>Thickness of the toned ground</translation>
     </message>
 </context>
 <context>
@@ -7002,6 +7512,10 @@
     <message>
         <source>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
         <translation>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>Dots per inch may be typed as well: 127 dpi</translation>
     </message>
 </context>
 <context>
@@ -7078,10 +7592,6 @@
         <translation>Scale the image</translation>
     </message>
     <message>
-        <source>Other units may be typed as well: 50 cm, 20 in</source>
-        <translation>Other units may be typed as well: 50 cm, 20 in</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -7112,6 +7622,10 @@
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
         <translation>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>Other units may be typed as well: 50 cm, 20 in, 3000 px</translation>
     </message>
 </context>
 <context>
@@ -7493,12 +8007,12 @@
         <translation>What comes beyond the canvas is wiped off.</translation>
     </message>
     <message>
-        <source>Drag with Ctrl: a corner alone, or a side askew.</source>
-        <translation>Drag with Ctrl: a corner alone, or a side askew.</translation>
-    </message>
-    <message>
         <source>Corners</source>
         <translation>Corners</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl: a corner alone, or a side askew. By keys: Tab chooses a corner, arrows move it, with Shift by ten pixels.</source>
+        <translation>Drag with Ctrl: a corner alone, or a side askew. By keys: Tab chooses a corner, arrows move it, with Shift by ten pixels.</translation>
     </message>
 </context>
 <context>
@@ -7955,14 +8469,6 @@
         <translation>Way of a step</translation>
     </message>
     <message>
-        <source>The longest way of a step, in cells: longer is faster and coarser</source>
-        <translation>The longest way of a step, in cells: longer is faster and coarser</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> cells</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>Numbers</translation>
     </message>
@@ -8105,6 +8611,10 @@
     <message>
         <source>How high above the tea the lip of the jug is</source>
         <translation>How high above the tea the lip of the jug is</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, against the finest detail of the liquid: longer is faster and coarser</source>
+        <translation>The longest way of a step, against the finest detail of the liquid: longer is faster and coarser</translation>
     </message>
 </context>
 <context>
@@ -8413,10 +8923,6 @@
         <translation>Glass</translation>
     </message>
     <message>
-        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
-        <translation>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</translation>
-    </message>
-    <message>
         <source>Drops that the next glass&apos; milk is made of</source>
         <translation>Drops that the next glass&apos; milk is made of</translation>
     </message>
@@ -8467,6 +8973,10 @@
     <message>
         <source>Fineness</source>
         <translation>Fineness</translation>
+    </message>
+    <message>
+        <source>Parts that each side of the next glass is divided into: twice as many take sixteen times as long; balls rise from 64 on</source>
+        <translation>Parts that each side of the next glass is divided into: twice as many take sixteen times as long; balls rise from 64 on</translation>
     </message>
 </context>
 <context>
@@ -9024,6 +9534,10 @@
         <source>The clipboard</source>
         <translation>The clipboard</translation>
     </message>
+    <message>
+        <source>What was dragged here</source>
+        <translation>What was dragged here</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>
@@ -9062,6 +9576,26 @@
     <message>
         <source>Leave them</source>
         <translation>Leave them</translation>
+    </message>
+    <message>
+        <source>There is no picture in it that can be read.</source>
+        <translation>There is no picture in it that can be read.</translation>
+    </message>
+    <message>
+        <source>Pastoso</source>
+        <translation>Pastoso</translation>
+    </message>
+    <message>
+        <source>Each of the other files opens in a window of its own. Open %1 more windows?</source>
+        <translation>Each of the other files opens in a window of its own. Open %1 more windows?</translation>
+    </message>
+    <message>
+        <source>Open them</source>
+        <translation>Open them</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Picture</translation>
     </message>
 </context>
 <context>
@@ -9316,6 +9850,30 @@
         <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</source>
         <translation>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</translation>
     </message>
+    <message>
+        <source>No corner is chosen</source>
+        <translation>No corner is chosen</translation>
+    </message>
+    <message>
+        <source>Upper left corner</source>
+        <translation>Upper left corner</translation>
+    </message>
+    <message>
+        <source>Upper right corner</source>
+        <translation>Upper right corner</translation>
+    </message>
+    <message>
+        <source>Lower right corner</source>
+        <translation>Lower right corner</translation>
+    </message>
+    <message>
+        <source>Lower left corner</source>
+        <translation>Lower left corner</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3 mm</source>
+        <translation>%1 at %2, %3 mm</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::LightChoice</name>
@@ -9500,12 +10058,12 @@
         <translation>Saved %1: %2 × %3 pixels.</translation>
     </message>
     <message>
-        <source>The painting on finer cells is still being written.</source>
-        <translation>The painting on finer cells is still being written.</translation>
-    </message>
-    <message>
         <source>Another question is open; answer it first.</source>
         <translation>Another question is open; answer it first.</translation>
+    </message>
+    <message>
+        <source>The finer painting is still being written.</source>
+        <translation>The finer painting is still being written.</translation>
     </message>
 </context>
 <context>
@@ -9733,10 +10291,6 @@
         <translation>about %1 left</translation>
     </message>
     <message>
-        <source>Painted again on %1 px/mm</source>
-        <translation>Painted again on %1 px/mm</translation>
-    </message>
-    <message>
         <source>How much is painted</source>
         <translation>How much is painted</translation>
     </message>
@@ -9773,16 +10327,20 @@
         <translation>Close</translation>
     </message>
     <message>
-        <source>The painting on finer cells is in no file yet. Throw it away?</source>
-        <translation>The painting on finer cells is in no file yet. Throw it away?</translation>
-    </message>
-    <message>
         <source>It is not painted to its end yet. Give it up?</source>
         <translation>It is not painted to its end yet. Give it up?</translation>
     </message>
     <message>
         <source>Finished</source>
         <translation>Finished</translation>
+    </message>
+    <message>
+        <source>Painted again at %1 px/mm</source>
+        <translation>Painted again at %1 px/mm</translation>
+    </message>
+    <message>
+        <source>The finer painting is in no file yet. Throw it away?</source>
+        <translation>The finer painting is in no file yet. Throw it away?</translation>
     </message>
 </context>
 <context>
@@ -10208,8 +10766,8 @@
 <context>
     <name>pastoso::main::ViewCommands</name>
     <message>
-        <source>Canvas %1 × %2 mm, %3 cells a millimetre</source>
-        <translation>Canvas %1 × %2 mm, %3 cells a millimetre</translation>
+        <source>Canvas %1 × %2 mm, %3 pixels per millimetre</source>
+        <translation>Canvas %1 × %2 mm, %3 pixels per millimetre</translation>
     </message>
 </context>
 <context>
@@ -10350,30 +10908,6 @@
         <translation>Slip</translation>
     </message>
     <message>
-        <source>How easily it slides over the canvas, in cells: more lets edges run on</source>
-        <translation>How easily it slides over the canvas, in cells: more lets edges run on</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> cells</translation>
-    </message>
-    <message>
-        <source>Profile against</source>
-        <translation>Profile against</translation>
-    </message>
-    <message>
-        <source>Alpha where surface tension pulls against the flow: less slows the front of a drip, which gets thicker and rounder</source>
-        <translation>Alpha where surface tension pulls against the flow: less slows the front of a drip, which gets thicker and rounder</translation>
-    </message>
-    <message>
-        <source>Profile along</source>
-        <translation>Profile along</translation>
-    </message>
-    <message>
-        <source>Alpha where surface tension pulls with the flow: more speeds up the tail of a drip, which gets thinner</source>
-        <translation>Alpha where surface tension pulls with the flow: more speeds up the tail of a drip, which gets thinner</translation>
-    </message>
-    <message>
         <source>Dry after</source>
         <translation>Dry after</translation>
     </message>
@@ -10480,10 +11014,6 @@
     <message>
         <source>long</source>
         <translation>long</translation>
-    </message>
-    <message>
-        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
-        <translation>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</translation>
     </message>
     <message>
         <source>opaque</source>
@@ -10941,6 +11471,34 @@
         <source>Snaps within</source>
         <translation>Snaps within</translation>
     </message>
+    <message>
+        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the front and tail of drips, and the flow index</source>
+        <translation>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the front and tail of drips, and the flow index</translation>
+    </message>
+    <message>
+        <source>How easily it slides over the canvas, in pixels of the painting: more lets edges run on</source>
+        <translation>How easily it slides over the canvas, in pixels of the painting: more lets edges run on</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Front of drips</source>
+        <translation>Front of drips</translation>
+    </message>
+    <message>
+        <source>How fast a drip goes at its front, where surface tension holds it back: less makes it thicker and rounder there</source>
+        <translation>How fast a drip goes at its front, where surface tension holds it back: less makes it thicker and rounder there</translation>
+    </message>
+    <message>
+        <source>Tail of drips</source>
+        <translation>Tail of drips</translation>
+    </message>
+    <message>
+        <source>How fast a drip follows at its tail, where surface tension draws it along: more makes it thinner there</source>
+        <translation>How fast a drip follows at its tail, where surface tension draws it along: more makes it thinner there</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::AidsPart</name>
@@ -11089,6 +11647,22 @@
     <message>
         <source>My own</source>
         <translation>My own</translation>
+    </message>
+    <message>
+        <source>No tool has such a name.</source>
+        <translation>No tool has such a name.</translation>
+    </message>
+    <message>
+        <source>Tools that you mark with a star are listed here.</source>
+        <translation>Tools that you mark with a star are listed here.</translation>
+    </message>
+    <message>
+        <source>Tools that you have taken are listed here, the latest first.</source>
+        <translation>Tools that you have taken are listed here, the latest first.</translation>
+    </message>
+    <message>
+        <source>Tools that you save as your own are listed here.</source>
+        <translation>Tools that you save as your own are listed here.</translation>
     </message>
 </context>
 <context>
@@ -11878,6 +12452,10 @@ Keys: arrows move it, Home puts it back.</translation>
     <message>
         <source>Add the mixes and the palette of such a file</source>
         <translation>Add the mixes and the palette of such a file</translation>
+    </message>
+    <message>
+        <source>Paints that you keep are listed here, under names of your own.</source>
+        <translation>Paints that you keep are listed here, under names of your own.</translation>
     </message>
 </context>
 <context>

@@ -174,10 +174,6 @@
         <translation>「%1」は次のいずれでもありません: %2。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not one of krita and photoshop.</source>
-        <translation>「%1」は krita でも photoshop でもありません。</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is the key of %2 already.</source>
         <translation>「%1」はすでに%2のキーです。</translation>
     </message>
@@ -384,10 +380,6 @@
     <message>
         <source>%1 triangles take %2 bytes, but the file has %3.</source>
         <translation>三角形 %1 個には %2 バイト必要ですが、ファイルは %3 バイトです。</translation>
-    </message>
-    <message>
-        <source>%1 would have %2 x %3 cells; at most %4 a side are possible.</source>
-        <translation>%1は %2 x %3 セルになりますが、一辺 %4 セルまでです。</translation>
     </message>
     <message>
         <source>%1 x %2 cells need about %3; %4 of memory are free.</source>
@@ -928,10 +920,6 @@
     <message>
         <source>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</source>
         <translation>液体の箱が %1 x %2 x %3 セルですが、各辺は 2 から %4 セルまでです。</translation>
-    </message>
-    <message>
-        <source>The canvas is %1 x %2 cells, more than this graphics driver can show.</source>
-        <translation>キャンバスは%1 x %2セルあり、このグラフィックスドライバーでは表示しきれません。</translation>
     </message>
     <message>
         <source>The cells of the box of liquid are %1 m wide, which is no size.</source>
@@ -3105,6 +3093,18 @@
         <source>there is more paint than is read, 4 GB.</source>
         <translation>絵具が読み込める量（4 GB）を超えています。</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not one of pastoso, krita and photoshop.</source>
+        <translation>「%1」は pastoso でも krita でも photoshop でもありません。</translation>
+    </message>
+    <message>
+        <source>%1 would have %2 x %3 pixels; at most %4 a side are possible.</source>
+        <translation>%1は %2 x %3 ピクセルになりますが、一辺 %4 ピクセルまでです。</translation>
+    </message>
+    <message>
+        <source>The canvas is %1 x %2 pixels, more than this graphics driver can show.</source>
+        <translation>キャンバスは%1 x %2ピクセルあり、このグラフィックスドライバーでは表示しきれません。</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3166,6 +3166,157 @@
         <source>Medium</source>
         <translation>メディウム</translation>
     </message>
+    <message>
+        <source>Your mix</source>
+        <translation>自分の混色</translation>
+    </message>
+</context>
+<context>
+    <name>FindableControls</name>
+    <message>
+        <source>Harmony</source>
+        <translation>色の調和</translation>
+    </message>
+    <message>
+        <source>Marks for hues that go together, on the colour wheel</source>
+        <translation>調和する色相を色相環に示す</translation>
+    </message>
+    <message>
+        <source>complementary, analogous, triad, tetrad, colour scheme, color scheme</source>
+        <translation>補色、類似色、トライアド、配色</translation>
+    </message>
+    <message>
+        <source>Gamut mask</source>
+        <translation>色域マスク</translation>
+    </message>
+    <message>
+        <source>A shape on the colour wheel to choose within</source>
+        <translation>色相環の上の形。その中から選ぶ</translation>
+    </message>
+    <message>
+        <source>limited palette, color mask</source>
+        <translation>ガマットマスク、限定パレット</translation>
+    </message>
+    <message>
+        <source>Keep on your palette</source>
+        <translation>自分のパレットに取っておく</translation>
+    </message>
+    <message>
+        <source>Lay the paint in hand out on your palette</source>
+        <translation>今の絵具を自分のパレットに置く</translation>
+    </message>
+    <message>
+        <source>swatch, add colour, add color</source>
+        <translation>スウォッチ、色を追加</translation>
+    </message>
+    <message>
+        <source>Save the palette</source>
+        <translation>パレットを保存</translation>
+    </message>
+    <message>
+        <source>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</source>
+        <translation>自分のパレットの色をGIMP、Krita、Inkscape用の.gplファイルにする</translation>
+    </message>
+    <message>
+        <source>gpl, swatches, export palette</source>
+        <translation>gpl、スウォッチ、パレットの書き出し</translation>
+    </message>
+    <message>
+        <source>Open a palette</source>
+        <translation>パレットを開く</translation>
+    </message>
+    <message>
+        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
+        <translation>GIMP、Krita、Inkscapeの色を.gplファイルから</translation>
+    </message>
+    <message>
+        <source>gpl, swatches, import palette</source>
+        <translation>gpl、スウォッチ、パレットの読み込み</translation>
+    </message>
+    <message>
+        <source>Palette from a picture</source>
+        <translation>画像からパレット</translation>
+    </message>
+    <message>
+        <source>Finds the colours that a picture is made of</source>
+        <translation>画像を成す色を見つける</translation>
+    </message>
+    <message>
+        <source>extract, palette from image</source>
+        <translation>色を抽出、写真からパレット</translation>
+    </message>
+    <message>
+        <source>Keep as a mix</source>
+        <translation>混色として取っておく</translation>
+    </message>
+    <message>
+        <source>Keep the paint in hand as a recipe of tubes, under a name of your own</source>
+        <translation>今の絵具を、自分で付けた名前でチューブのレシピとして取っておく</translation>
+    </message>
+    <message>
+        <source>recipe, save colour, save color</source>
+        <translation>レシピ、色を保存</translation>
+    </message>
+    <message>
+        <source>Sets of tubes</source>
+        <translation>チューブのセット</translation>
+    </message>
+    <message>
+        <source>Which tubes are shown: all of them, or a set of yours</source>
+        <translation>どのチューブを出すか。全部か、自分のセットか</translation>
+    </message>
+    <message>
+        <source>tube sets, palette of tubes</source>
+        <translation>絵具セット、チューブの選択</translation>
+    </message>
+    <message>
+        <source>Tags of tools</source>
+        <translation>ツールのタグ</translation>
+    </message>
+    <message>
+        <source>Which tools are listed: a family, favourites or a tag</source>
+        <translation>一覧に出すツール。系統、お気に入り、タグから</translation>
+    </message>
+    <message>
+        <source>tagged, collections, brush sets</source>
+        <translation>分類、ブラシセット</translation>
+    </message>
+    <message>
+        <source>Snapping strength</source>
+        <translation>スナップの強さ</translation>
+    </message>
+    <message>
+        <source>How far the guide draws the brush from where your hand is</source>
+        <translation>ガイドがブラシを手の位置からどれだけ引き寄せるか</translation>
+    </message>
+    <message>
+        <source>magnetic, assistant strength</source>
+        <translation>吸着、アシスタントの強さ</translation>
+    </message>
+    <message>
+        <source>Squeeze out the last painting&apos;s palette</source>
+        <translation>前の絵のパレットを絞り出す</translation>
+    </message>
+    <message>
+        <source>The paints and mixtures of the earlier well, onto the mixing well</source>
+        <translation>前に混色皿にあった絵具と混色を、混色皿に出す</translation>
+    </message>
+    <message>
+        <source>restore palette, palette of before</source>
+        <translation>パレットを復元、前のパレット</translation>
+    </message>
+    <message>
+        <source>New tag for the tool in hand</source>
+        <translation>手にある道具に新しいタグ</translation>
+    </message>
+    <message>
+        <source>A word of your own under which the tool is listed</source>
+        <translation>その道具を一覧に出すための自分の言葉</translation>
+    </message>
+    <message>
+        <source>add tag, label</source>
+        <translation>タグを追加、ラベル</translation>
+    </message>
 </context>
 <context>
     <name>FolderFacts</name>
@@ -3207,6 +3358,14 @@
     <message>
         <source>The keys of Photoshop, where it has the same command</source>
         <translation>同じコマンドがあればPhotoshopのキーを使う</translation>
+    </message>
+    <message>
+        <source>Pastoso</source>
+        <translation>Pastoso</translation>
+    </message>
+    <message>
+        <source>Krita&apos;s keys, but for short ones of what only wet paint has</source>
+        <translation>Kritaのキー。ただし濡れた絵具だけの操作には短いキー</translation>
     </message>
 </context>
 <context>
@@ -4375,6 +4534,25 @@
     <message>
         <source>A clear coat over the whole painting that is looked through, and changes no paint</source>
         <translation>絵全体を覆う透明な層。透かして見るもので、絵具は変わりません</translation>
+    </message>
+    <message>
+        <source>ΔE is how far two colours differ to the eye: 1 is seen side by side, 2 to 3 at a second look</source>
+        <translation>ΔE は、目で見た二つの色の違いの大きさ。1 は並べると分かり、2～3 は見直すと分かる</translation>
+    </message>
+    <message>
+        <source>D65, D50 and A are the lights that colours are measured in everywhere: daylight, the light of print booths, and a light bulb</source>
+        <translation>D65、D50、A は、色を測るときに広く使われる光。昼光、印刷物を見るための光、電球の光</translation>
+    </message>
+    <message>
+        <source>A soft proof shows on the screen how the painting would be printed; the gamut warning shows what this printer cannot print</source>
+        <translation>ソフトプルーフは、絵がどう印刷されるかを画面に示す。色域外の警告は、そのプリンターで印刷できない色を示す</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::appearance::UnitBox</name>
+    <message>
+        <source>&quot;%1&quot; is not understood here; the number stays as it was.</source>
+        <translation>「%1」はここでは解釈できません。数値は元のままです。</translation>
     </message>
 </context>
 <context>
@@ -5644,10 +5822,6 @@
         <translation>再描画(&amp;I)...</translation>
     </message>
     <message>
-        <source>All strokes once more, on finer cells, beside the painting on the easel</source>
-        <translation>イーゼルの絵はそのままに、すべてのストロークをより細かいセルで描き直します</translation>
-    </message>
-    <message>
         <source>Soft &amp;proof</source>
         <translation>ソフトプルーフ(&amp;P)</translation>
     </message>
@@ -6271,6 +6445,302 @@
         <source>Make the edge of the selection soft, so that paint fades out there</source>
         <translation>選択範囲の境界をぼかし、絵具がそこで薄れるようにする</translation>
     </message>
+    <message>
+        <source>All strokes once more, finer, beside the painting on the easel</source>
+        <translation>イーゼルの絵はそのままに、すべてのストロークをより細かく描き直します</translation>
+    </message>
+    <message>
+        <source>save incremental, iteration</source>
+        <translation>増分保存、別バージョン</translation>
+    </message>
+    <message>
+        <source>png, jpeg, tiff, save as a picture</source>
+        <translation>png、jpeg、画像として保存</translation>
+    </message>
+    <message>
+        <source>replay, playback</source>
+        <translation>再生、リプレイ</translation>
+    </message>
+    <message>
+        <source>video, mp4, speed painting</source>
+        <translation>動画、ビデオ、mp4</translation>
+    </message>
+    <message>
+        <source>upscale, higher resolution, enlarge</source>
+        <translation>高解像度、拡大</translation>
+    </message>
+    <message>
+        <source>copy visible, copy flattened</source>
+        <translation>表示部分をコピー</translation>
+    </message>
+    <message>
+        <source>resize image, resolution, dpi</source>
+        <translation>画像サイズ、解像度、dpi</translation>
+    </message>
+    <message>
+        <source>resize canvas, extend, expand</source>
+        <translation>キャンバスサイズ、広げる</translation>
+    </message>
+    <message>
+        <source>trim to selection</source>
+        <translation>選択範囲で切り抜き、トリミング</translation>
+    </message>
+    <message>
+        <source>flip</source>
+        <translation>左右反転</translation>
+    </message>
+    <message>
+        <source>straighten</source>
+        <translation>傾き補正</translation>
+    </message>
+    <message>
+        <source>brush size, smaller</source>
+        <translation>ブラシサイズ、小さく</translation>
+    </message>
+    <message>
+        <source>brush size, larger, bigger</source>
+        <translation>ブラシサイズ、大きく</translation>
+    </message>
+    <message>
+        <source>dip, load</source>
+        <translation>絵具を付ける</translation>
+    </message>
+    <message>
+        <source>rinse, wash, smudge, blend</source>
+        <translation>洗う、ぼかし</translation>
+    </message>
+    <message>
+        <source>dilute, water, thinner, solvent</source>
+        <translation>薄める、水、溶剤</translation>
+    </message>
+    <message>
+        <source>quick menu, radial menu</source>
+        <translation>クイックメニュー</translation>
+    </message>
+    <message>
+        <source>eyedropper, colour picker, color picker, pipette</source>
+        <translation>スポイト、カラーピッカー</translation>
+    </message>
+    <message>
+        <source>eyedropper, color picker, pipette</source>
+        <translation>スポイト、カラーピッカー</translation>
+    </message>
+    <message>
+        <source>brush settings, brush studio, brush engine</source>
+        <translation>ブラシ設定</translation>
+    </message>
+    <message>
+        <source>bundle, brush set, resources</source>
+        <translation>バンドル、素材</translation>
+    </message>
+    <message>
+        <source>dryer, fast dry, dry layer</source>
+        <translation>ドライヤー、速乾</translation>
+    </message>
+    <message>
+        <source>mixing palette, mixer, scratchpad</source>
+        <translation>混色パレット、パレット</translation>
+    </message>
+    <message>
+        <source>bucket, flood fill</source>
+        <translation>バケツ、塗りつぶし</translation>
+    </message>
+    <message>
+        <source>bucket, background fill</source>
+        <translation>バケツ、背景色</translation>
+    </message>
+    <message>
+        <source>imprimatura, background, gesso</source>
+        <translation>下塗り、背景、ジェッソ</translation>
+    </message>
+    <message>
+        <source>import layer, insert image, place image</source>
+        <translation>画像の読み込み、画像を配置</translation>
+    </message>
+    <message>
+        <source>delete layer</source>
+        <translation>レイヤーを削除</translation>
+    </message>
+    <message>
+        <source>free transform, scale, rotate, distort, perspective, skew, move tool</source>
+        <translation>自由変形、拡大縮小、回転、遠近</translation>
+    </message>
+    <message>
+        <source>saturation, hsv, colour balance, color balance</source>
+        <translation>彩度、カラーバランス</translation>
+    </message>
+    <message>
+        <source>merge visible, merge all</source>
+        <translation>表示レイヤーを結合、統合</translation>
+    </message>
+    <message>
+        <source>folder, quick group</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>alpha lock, lock transparency</source>
+        <translation>アルファロック、透明度をロック</translation>
+    </message>
+    <message>
+        <source>clipping mask, clipping group, inherit alpha</source>
+        <translation>クリッピングマスク、クリッピンググループ</translation>
+    </message>
+    <message>
+        <source>marquee, rectangular selection</source>
+        <translation>矩形選択、長方形</translation>
+    </message>
+    <message>
+        <source>marquee, elliptical selection, oval, circle</source>
+        <translation>楕円選択、円形</translation>
+    </message>
+    <message>
+        <source>freehand selection</source>
+        <translation>フリーハンド選択、投げ縄</translation>
+    </message>
+    <message>
+        <source>magic wand, automatic selection</source>
+        <translation>マジックワンド、自動選択</translation>
+    </message>
+    <message>
+        <source>magic wand, colour range, color range</source>
+        <translation>マジックワンド、色域選択</translation>
+    </message>
+    <message>
+        <source>deselect, select none, select all</source>
+        <translation>選択解除、すべて選択</translation>
+    </message>
+    <message>
+        <source>inverse</source>
+        <translation>選択範囲の反転</translation>
+    </message>
+    <message>
+        <source>expand</source>
+        <translation>拡張</translation>
+    </message>
+    <message>
+        <source>contract</source>
+        <translation>縮小</translation>
+    </message>
+    <message>
+        <source>soften, blur edge</source>
+        <translation>境界をぼかす</translation>
+    </message>
+    <message>
+        <source>select opaque, alpha to selection</source>
+        <translation>不透明部分を選択</translation>
+    </message>
+    <message>
+        <source>frisket, liquid mask, drawing gum</source>
+        <translation>フリスケット、マスキングインク</translation>
+    </message>
+    <message>
+        <source>frisket, stencil</source>
+        <translation>フリスケット、養生テープ</translation>
+    </message>
+    <message>
+        <source>frisket, stencil, protect</source>
+        <translation>フリスケット、保護</translation>
+    </message>
+    <message>
+        <source>remove frisket</source>
+        <translation>マスキングを剥がす</translation>
+    </message>
+    <message>
+        <source>marching ants, display selection</source>
+        <translation>選択範囲を表示、点線</translation>
+    </message>
+    <message>
+        <source>symmetry tool, multibrush</source>
+        <translation>対称、シンメトリー</translation>
+    </message>
+    <message>
+        <source>radial symmetry, multibrush, mandala</source>
+        <translation>回転対称、万華鏡、曼荼羅</translation>
+    </message>
+    <message>
+        <source>assistant, straight line, drawing guide</source>
+        <translation>アシスタント、直線</translation>
+    </message>
+    <message>
+        <source>assistant, drawing guide</source>
+        <translation>アシスタント、平行線</translation>
+    </message>
+    <message>
+        <source>assistant, vanishing point</source>
+        <translation>アシスタント、消失点、パース</translation>
+    </message>
+    <message>
+        <source>assistant, snapping</source>
+        <translation>アシスタント、吸着</translation>
+    </message>
+    <message>
+        <source>tracing paper, light table, template</source>
+        <translation>トレーシングペーパー、下絵</translation>
+    </message>
+    <message>
+        <source>reference image, mood board</source>
+        <translation>資料、参考画像</translation>
+    </message>
+    <message>
+        <source>flip canvas</source>
+        <translation>表示を反転</translation>
+    </message>
+    <message>
+        <source>hide panels, canvas-only mode</source>
+        <translation>パネルを隠す</translation>
+    </message>
+    <message>
+        <source>greyscale, grayscale, black and white, desaturate</source>
+        <translation>グレースケール、白黒、明度</translation>
+    </message>
+    <message>
+        <source>cmyk, print preview</source>
+        <translation>cmyk、印刷プレビュー</translation>
+    </message>
+    <message>
+        <source>brush library, presets</source>
+        <translation>ブラシライブラリー、プリセット</translation>
+    </message>
+    <message>
+        <source>gravity, drips, canvas tilt</source>
+        <translation>重力、しずく、傾き</translation>
+    </message>
+    <message>
+        <source>color wheel, colour selector, swatches</source>
+        <translation>カラーホイール、カラーサークル、スウォッチ</translation>
+    </message>
+    <message>
+        <source>gloss, impasto, bump</source>
+        <translation>光沢、凹凸</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>全体表示</translation>
+    </message>
+    <message>
+        <source>default layout, reset workspace</source>
+        <translation>初期配置、ワークスペース</translation>
+    </message>
+    <message>
+        <source>search actions</source>
+        <translation>アクション検索</translation>
+    </message>
+    <message>
+        <source>shortcuts, hotkeys, keyboard</source>
+        <translation>ショートカット</translation>
+    </message>
+    <message>
+        <source>preferences, configure, options, theme, language</source>
+        <translation>環境設定、オプション、テーマ、言語</translation>
+    </message>
+    <message>
+        <source>stylus, pressure curve</source>
+        <translation>スタイラス、筆圧</translation>
+    </message>
+    <message>
+        <source>tutorial, getting started</source>
+        <translation>チュートリアル</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6484,6 +6954,10 @@
         <translation>%1 × %2 ピクセルの画像になります。
 %3</translation>
     </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>ほかの単位でも入力できます: 50 cm、20 in、3000 px</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::CommandPalette</name>
@@ -6517,6 +6991,10 @@
     <message>
         <source>Copy the report</source>
         <translation>報告をコピー</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>報告</translation>
     </message>
 </context>
 <context>
@@ -6674,10 +7152,6 @@
         <translation> mm 間隔</translation>
     </message>
     <message>
-        <source>Distance between two points of the surface; 0 is as far as the cells, or farther where the canvas is large</source>
-        <translation>表面の点と点の間隔。0はセルと同じ間隔、大きなキャンバスではそれより広くなる</translation>
-    </message>
-    <message>
         <source>automatic</source>
         <translation>自動</translation>
     </message>
@@ -6750,10 +7224,6 @@
         <translation> px/mm</translation>
     </message>
     <message>
-        <source>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
-        <translation>描き直すキャンバスの1ミリメートルあたりのセル数。多いほど絵具が細かく描かれ、時間がかかる。0は描いたときと同じ</translation>
-    </message>
-    <message>
         <source>as it was painted</source>
         <translation>描いたときと同じ</translation>
     </message>
@@ -6768,6 +7238,18 @@
     <message>
         <source>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</source>
         <translation>1 はウィンドウで描いたまま、2 は幅も高さも 2 倍。引き伸ばすのではなく、細かくなります</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels</source>
+        <translation>画像の幅（ピクセル）</translation>
+    </message>
+    <message>
+        <source>Distance between two points of the surface; 0 is as far as the pixels, or farther where the canvas is large</source>
+        <translation>表面の点と点の間隔。0はピクセルと同じ間隔、大きなキャンバスではそれより広くなる</translation>
+    </message>
+    <message>
+        <source>Pixels in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
+        <translation>描き直すキャンバスの1ミリメートルあたりのピクセル数。多いほど絵具が細かく描かれ、時間がかかる。0は描いたときと同じ</translation>
     </message>
 </context>
 <context>
@@ -6847,6 +7329,18 @@
         <source>Forget my own</source>
         <translation>自分のキーを消す</translation>
     </message>
+    <message>
+        <source>Set of keys</source>
+        <translation>キーセット</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>No command has such words or keys.</source>
+        <translation>そのような言葉やキーのコマンドはありません。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::LengthDialog</name>
@@ -6922,16 +7416,32 @@
         <translation>dpi でも入力できます: 127 dpi</translation>
     </message>
     <message>
-        <source>Other units may be typed as well: 50 cm, 20 in</source>
-        <translation>ほかの単位でも入力できます: 50 cm、20 in</translation>
-    </message>
-    <message>
         <source>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</source>
         <translation>このマシンが手の速さについていけるのは %1 px/mm までです。描いた絵は、あとからより細かく再描画できます。</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
         <translation>%1 × %2 ピクセル、%3 dpi の画像になります。全体が濡れているときは最大 %4 MB のメモリーを使います。</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>ほかの単位でも入力できます: 50 cm、20 in、3000 px</translation>
+    </message>
+    <message>
+        <source>Toned ground</source>
+        <translation>有色下地</translation>
+    </message>
+    <message>
+        <source>A dry coat of the paint in hand covers the whole canvas, on a layer of its own</source>
+        <translation>手持ちの絵具の乾いた層がキャンバス全体を覆います（専用のレイヤー）</translation>
+    </message>
+    <message>
+        <source>0.02 mm tints the canvas, 0.1 mm covers it</source>
+        <translation>0.02 mm なら薄く色づき、0.1 mm なら覆い隠します</translation>
+    </message>
+    <message>
+        <source>Thickness of the toned ground</source>
+        <translation>有色下地の厚さ</translation>
     </message>
 </context>
 <context>
@@ -6998,6 +7508,10 @@
     <message>
         <source>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
         <translation>%1 × %2 ピクセル。メモリを約 %3 GB 使います（空き %4 GB）。ストロークは別に描き直され、イーゼルの絵はそのまま残ります。</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>dpi でも入力できます: 127 dpi</translation>
     </message>
 </context>
 <context>
@@ -7074,10 +7588,6 @@
         <translation>画像の拡大・縮小</translation>
     </message>
     <message>
-        <source>Other units may be typed as well: 50 cm, 20 in</source>
-        <translation>ほかの単位でも入力できます: 50 cm、20 in</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -7108,6 +7618,10 @@
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
         <translation>%1 × %2 ピクセル、%3 dpi の画像になります。全体が濡れているときは最大 %4 MB のメモリーを使います。</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>ほかの単位でも入力できます: 50 cm、20 in、3000 px</translation>
     </message>
 </context>
 <context>
@@ -7488,12 +8002,12 @@
         <translation>キャンバスからはみ出した絵具は拭き取られます。</translation>
     </message>
     <message>
-        <source>Drag with Ctrl: a corner alone, or a side askew.</source>
-        <translation>Ctrlを押しながらドラッグ: 角は一つだけ、辺は斜めに動きます。</translation>
-    </message>
-    <message>
         <source>Corners</source>
         <translation>四隅</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl: a corner alone, or a side askew. By keys: Tab chooses a corner, arrows move it, with Shift by ten pixels.</source>
+        <translation>Ctrlを押しながらドラッグ: 角は一つだけ、辺は斜めに動きます。キーでは: Tabで角を選び、矢印キーで動かします。Shiftを押すと10ピクセルずつです。</translation>
     </message>
 </context>
 <context>
@@ -7950,14 +8464,6 @@
         <translation>ステップの距離</translation>
     </message>
     <message>
-        <source>The longest way of a step, in cells: longer is faster and coarser</source>
-        <translation>1 ステップの最長距離（セル単位）。長いほど速く粗い</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> セル</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>数値</translation>
     </message>
@@ -8100,6 +8606,10 @@
     <message>
         <source>How high above the tea the lip of the jug is</source>
         <translation>ピッチャーの口が紅茶からどれだけ高いか</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, against the finest detail of the liquid: longer is faster and coarser</source>
+        <translation>1 ステップの最長距離を、液体の最も細かい部分と比べたもの。長いほど速く粗い</translation>
     </message>
 </context>
 <context>
@@ -8405,10 +8915,6 @@
         <translation>グラス</translation>
     </message>
     <message>
-        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
-        <translation>次のグラスの一辺のセル数: 細かいほど 4 乗で時間がかかります。玉が浮くのは 64 からです</translation>
-    </message>
-    <message>
         <source>Drops that the next glass&apos; milk is made of</source>
         <translation>次のグラスのミルクを作る滴の数</translation>
     </message>
@@ -8459,6 +8965,10 @@
     <message>
         <source>Fineness</source>
         <translation>細かさ</translation>
+    </message>
+    <message>
+        <source>Parts that each side of the next glass is divided into: twice as many take sixteen times as long; balls rise from 64 on</source>
+        <translation>次のグラスの一辺を分ける数: 2 倍にすると 16 倍の時間がかかります。玉が浮くのは 64 からです</translation>
     </message>
 </context>
 <context>
@@ -9015,6 +9525,10 @@
         <source>The clipboard</source>
         <translation>クリップボード</translation>
     </message>
+    <message>
+        <source>What was dragged here</source>
+        <translation>ここにドラッグされたもの</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>
@@ -9053,6 +9567,26 @@
     <message>
         <source>Leave them</source>
         <translation>そのままにする</translation>
+    </message>
+    <message>
+        <source>There is no picture in it that can be read.</source>
+        <translation>読み込める画像が含まれていません。</translation>
+    </message>
+    <message>
+        <source>Pastoso</source>
+        <translation>Pastoso</translation>
+    </message>
+    <message>
+        <source>Each of the other files opens in a window of its own. Open %1 more windows?</source>
+        <translation>ほかのファイルは、それぞれ別のウィンドウで開きます。ウィンドウをさらに%1個開きますか？</translation>
+    </message>
+    <message>
+        <source>Open them</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>画像</translation>
     </message>
 </context>
 <context>
@@ -9304,6 +9838,30 @@
         <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</source>
         <translation>内側をドラッグで移動、ハンドルで拡大縮小、外側で回転 (Shiftで段階的に)、Ctrlで角や辺だけを動かします。Enterで適用、Escで中止します。</translation>
     </message>
+    <message>
+        <source>No corner is chosen</source>
+        <translation>角は選ばれていません</translation>
+    </message>
+    <message>
+        <source>Upper left corner</source>
+        <translation>左上の角</translation>
+    </message>
+    <message>
+        <source>Upper right corner</source>
+        <translation>右上の角</translation>
+    </message>
+    <message>
+        <source>Lower right corner</source>
+        <translation>右下の角</translation>
+    </message>
+    <message>
+        <source>Lower left corner</source>
+        <translation>左下の角</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3 mm</source>
+        <translation>%1: %2, %3 mm</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::LightChoice</name>
@@ -9487,12 +10045,12 @@
         <translation>%1 を保存しました: %2 × %3 ピクセル。</translation>
     </message>
     <message>
-        <source>The painting on finer cells is still being written.</source>
-        <translation>より細かいセルの絵をまだ書き出しています。</translation>
-    </message>
-    <message>
         <source>Another question is open; answer it first.</source>
         <translation>別の質問が開いています。先に答えてください。</translation>
+    </message>
+    <message>
+        <source>The finer painting is still being written.</source>
+        <translation>より細かく描き直した絵をまだ書き出しています。</translation>
     </message>
 </context>
 <context>
@@ -9720,10 +10278,6 @@
         <translation>残り約 %1</translation>
     </message>
     <message>
-        <source>Painted again on %1 px/mm</source>
-        <translation>%1 px/mm で再描画</translation>
-    </message>
-    <message>
         <source>How much is painted</source>
         <translation>描き終えた割合</translation>
     </message>
@@ -9760,16 +10314,20 @@
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>The painting on finer cells is in no file yet. Throw it away?</source>
-        <translation>より細かいセルで描いた絵は、まだどのファイルにもありません。破棄しますか？</translation>
-    </message>
-    <message>
         <source>It is not painted to its end yet. Give it up?</source>
         <translation>まだ最後まで描かれていません。中止しますか？</translation>
     </message>
     <message>
         <source>Finished</source>
         <translation>完了</translation>
+    </message>
+    <message>
+        <source>Painted again at %1 px/mm</source>
+        <translation>%1 px/mm で再描画</translation>
+    </message>
+    <message>
+        <source>The finer painting is in no file yet. Throw it away?</source>
+        <translation>より細かく描き直した絵は、まだどのファイルにもありません。破棄しますか？</translation>
     </message>
 </context>
 <context>
@@ -10189,8 +10747,8 @@
 <context>
     <name>pastoso::main::ViewCommands</name>
     <message>
-        <source>Canvas %1 × %2 mm, %3 cells a millimetre</source>
-        <translation>キャンバス %1 × %2 mm、1 mm に %3 セル</translation>
+        <source>Canvas %1 × %2 mm, %3 pixels per millimetre</source>
+        <translation>キャンバス %1 × %2 mm、1 mm に %3 ピクセル</translation>
     </message>
 </context>
 <context>
@@ -10331,30 +10889,6 @@
         <translation>すべり</translation>
     </message>
     <message>
-        <source>How easily it slides over the canvas, in cells: more lets edges run on</source>
-        <translation>キャンバスの上のすべりやすさ（セル単位）。大きいほど縁が先へ流れる</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> セル</translation>
-    </message>
-    <message>
-        <source>Profile against</source>
-        <translation>流速分布（逆）</translation>
-    </message>
-    <message>
-        <source>Alpha where surface tension pulls against the flow: less slows the front of a drip, which gets thicker and rounder</source>
-        <translation>表面張力が流れに逆らうところのアルファ値。小さいと垂れの先端が遅くなり、厚く丸くなる</translation>
-    </message>
-    <message>
-        <source>Profile along</source>
-        <translation>流速分布（順）</translation>
-    </message>
-    <message>
-        <source>Alpha where surface tension pulls with the flow: more speeds up the tail of a drip, which gets thinner</source>
-        <translation>表面張力が流れと同じ向きに引くところのアルファ値。大きいと垂れの尾が速くなり、薄くなる</translation>
-    </message>
-    <message>
         <source>Dry after</source>
         <translation>乾燥時間</translation>
     </message>
@@ -10461,10 +10995,6 @@
     <message>
         <source>long</source>
         <translation>伸びがよい</translation>
-    </message>
-    <message>
-        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
-        <translation>すぱっと切れる絵具から、端へ広がり長く流れる絵具まで。広がる角度、流れの形、流動指数</translation>
     </message>
     <message>
         <source>opaque</source>
@@ -10922,6 +11452,34 @@
         <source>Snaps within</source>
         <translation>スナップする範囲</translation>
     </message>
+    <message>
+        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the front and tail of drips, and the flow index</source>
+        <translation>すぱっと切れる絵具から、端へ広がり長く流れる絵具まで。広がる角度、垂れの先端と尾、流動指数</translation>
+    </message>
+    <message>
+        <source>How easily it slides over the canvas, in pixels of the painting: more lets edges run on</source>
+        <translation>キャンバスの上のすべりやすさ（絵のピクセル単位）。大きいほど縁が先へ流れる</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Front of drips</source>
+        <translation>垂れの先端</translation>
+    </message>
+    <message>
+        <source>How fast a drip goes at its front, where surface tension holds it back: less makes it thicker and rounder there</source>
+        <translation>表面張力に引き戻される垂れの先端が進む速さ。小さいとそこが厚く丸くなる</translation>
+    </message>
+    <message>
+        <source>Tail of drips</source>
+        <translation>垂れの尾</translation>
+    </message>
+    <message>
+        <source>How fast a drip follows at its tail, where surface tension draws it along: more makes it thinner there</source>
+        <translation>表面張力に引かれる垂れの尾がついていく速さ。大きいとそこが薄くなる</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::AidsPart</name>
@@ -11070,6 +11628,22 @@
     <message>
         <source>My own</source>
         <translation>自分のツール</translation>
+    </message>
+    <message>
+        <source>No tool has such a name.</source>
+        <translation>そのような名前のツールはありません。</translation>
+    </message>
+    <message>
+        <source>Tools that you mark with a star are listed here.</source>
+        <translation>星を付けたツールがここに並びます。</translation>
+    </message>
+    <message>
+        <source>Tools that you have taken are listed here, the latest first.</source>
+        <translation>手に取ったツールが新しい順にここに並びます。</translation>
+    </message>
+    <message>
+        <source>Tools that you save as your own are listed here.</source>
+        <translation>自分のツールとして保存したものがここに並びます。</translation>
     </message>
 </context>
 <context>
@@ -11858,6 +12432,10 @@ Keys: arrows move it, Home puts it back.</source>
     <message>
         <source>Add the mixes and the palette of such a file</source>
         <translation>そうしたファイルの混色とパレットを加える</translation>
+    </message>
+    <message>
+        <source>Paints that you keep are listed here, under names of your own.</source>
+        <translation>取っておいた絵具が、自分で付けた名前でここに並びます。</translation>
     </message>
 </context>
 <context>

@@ -174,10 +174,6 @@
         <translation>”%1” är inte någon av %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not one of krita and photoshop.</source>
-        <translation>”%1” är varken krita eller photoshop.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is the key of %2 already.</source>
         <translation>”%1” är redan tangenten för %2.</translation>
     </message>
@@ -384,10 +380,6 @@
     <message>
         <source>%1 triangles take %2 bytes, but the file has %3.</source>
         <translation>%1 trianglar tar %2 byte, men filen har %3.</translation>
-    </message>
-    <message>
-        <source>%1 would have %2 x %3 cells; at most %4 a side are possible.</source>
-        <translation>%1 skulle ha %2 x %3 celler; högst %4 per sida är möjligt.</translation>
     </message>
     <message>
         <source>%1 x %2 cells need about %3; %4 of memory are free.</source>
@@ -928,10 +920,6 @@
     <message>
         <source>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</source>
         <translation>Vätskans låda har %1 x %2 x %3 celler; varje sida får ha 2 till %4.</translation>
-    </message>
-    <message>
-        <source>The canvas is %1 x %2 cells, more than this graphics driver can show.</source>
-        <translation>Duken är %1 x %2 celler, mer än den här grafikdrivrutinen kan visa.</translation>
     </message>
     <message>
         <source>The cells of the box of liquid are %1 m wide, which is no size.</source>
@@ -3105,6 +3093,18 @@
         <source>there is more paint than is read, 4 GB.</source>
         <translation>det är mer färg än vad som läses, 4 GB.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not one of pastoso, krita and photoshop.</source>
+        <translation>”%1” är varken pastoso, krita eller photoshop.</translation>
+    </message>
+    <message>
+        <source>%1 would have %2 x %3 pixels; at most %4 a side are possible.</source>
+        <translation>%1 skulle ha %2 x %3 pixlar; högst %4 per sida är möjligt.</translation>
+    </message>
+    <message>
+        <source>The canvas is %1 x %2 pixels, more than this graphics driver can show.</source>
+        <translation>Duken är %1 x %2 pixlar, mer än den här grafikdrivrutinen kan visa.</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3166,6 +3166,157 @@
         <source>Medium</source>
         <translation>Medium</translation>
     </message>
+    <message>
+        <source>Your mix</source>
+        <translation>Din blandning</translation>
+    </message>
+</context>
+<context>
+    <name>FindableControls</name>
+    <message>
+        <source>Harmony</source>
+        <translation>Harmoni</translation>
+    </message>
+    <message>
+        <source>Marks for hues that go together, on the colour wheel</source>
+        <translation>Märken för kulörer som går ihop, på färghjulet</translation>
+    </message>
+    <message>
+        <source>complementary, analogous, triad, tetrad, colour scheme, color scheme</source>
+        <translation>komplementfärger, analoga, triad, färgschema</translation>
+    </message>
+    <message>
+        <source>Gamut mask</source>
+        <translation>Färgmask</translation>
+    </message>
+    <message>
+        <source>A shape on the colour wheel to choose within</source>
+        <translation>En form på färghjulet att välja inom</translation>
+    </message>
+    <message>
+        <source>limited palette, color mask</source>
+        <translation>begränsad palett, gamutmask</translation>
+    </message>
+    <message>
+        <source>Keep on your palette</source>
+        <translation>Behåll på din palett</translation>
+    </message>
+    <message>
+        <source>Lay the paint in hand out on your palette</source>
+        <translation>Lägg ut färgen i handen på din palett</translation>
+    </message>
+    <message>
+        <source>swatch, add colour, add color</source>
+        <translation>färgprov, lägg till färg</translation>
+    </message>
+    <message>
+        <source>Save the palette</source>
+        <translation>Spara paletten</translation>
+    </message>
+    <message>
+        <source>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</source>
+        <translation>Färgerna på din palett för GIMP, Krita eller Inkscape, som en .gpl-fil</translation>
+    </message>
+    <message>
+        <source>gpl, swatches, export palette</source>
+        <translation>gpl, färgprover, exportera palett</translation>
+    </message>
+    <message>
+        <source>Open a palette</source>
+        <translation>Öppna en palett</translation>
+    </message>
+    <message>
+        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
+        <translation>Färger från GIMP, Krita eller Inkscape, ur en .gpl-fil</translation>
+    </message>
+    <message>
+        <source>gpl, swatches, import palette</source>
+        <translation>gpl, färgprover, importera palett</translation>
+    </message>
+    <message>
+        <source>Palette from a picture</source>
+        <translation>Palett från en bild</translation>
+    </message>
+    <message>
+        <source>Finds the colours that a picture is made of</source>
+        <translation>Hittar färgerna som en bild består av</translation>
+    </message>
+    <message>
+        <source>extract, palette from image</source>
+        <translation>plocka ut färger, palett ur bild</translation>
+    </message>
+    <message>
+        <source>Keep as a mix</source>
+        <translation>Behåll som blandning</translation>
+    </message>
+    <message>
+        <source>Keep the paint in hand as a recipe of tubes, under a name of your own</source>
+        <translation>Behåll färgen i handen som ett recept av tuber, under ett eget namn</translation>
+    </message>
+    <message>
+        <source>recipe, save colour, save color</source>
+        <translation>recept, spara färg</translation>
+    </message>
+    <message>
+        <source>Sets of tubes</source>
+        <translation>Uppsättningar av tuber</translation>
+    </message>
+    <message>
+        <source>Which tubes are shown: all of them, or a set of yours</source>
+        <translation>Vilka tuber som visas: alla, eller en egen uppsättning</translation>
+    </message>
+    <message>
+        <source>tube sets, palette of tubes</source>
+        <translation>tubuppsättningar, urval</translation>
+    </message>
+    <message>
+        <source>Tags of tools</source>
+        <translation>Verktygens etiketter</translation>
+    </message>
+    <message>
+        <source>Which tools are listed: a family, favourites or a tag</source>
+        <translation>Vilka verktyg som visas: en familj, favoriter eller en etikett</translation>
+    </message>
+    <message>
+        <source>tagged, collections, brush sets</source>
+        <translation>taggar, samlingar, penseluppsättningar</translation>
+    </message>
+    <message>
+        <source>Snapping strength</source>
+        <translation>Fäststyrka</translation>
+    </message>
+    <message>
+        <source>How far the guide draws the brush from where your hand is</source>
+        <translation>Hur långt hjälplinjen drar penseln från där din hand är</translation>
+    </message>
+    <message>
+        <source>magnetic, assistant strength</source>
+        <translation>magnetisk, assistentens styrka</translation>
+    </message>
+    <message>
+        <source>Squeeze out the last painting&apos;s palette</source>
+        <translation>Kläm ut den förra målningens palett</translation>
+    </message>
+    <message>
+        <source>The paints and mixtures of the earlier well, onto the mixing well</source>
+        <translation>Färgerna och blandningarna från förra gången, ut på blandningsytan</translation>
+    </message>
+    <message>
+        <source>restore palette, palette of before</source>
+        <translation>återställ palett, tidigare palett</translation>
+    </message>
+    <message>
+        <source>New tag for the tool in hand</source>
+        <translation>Ny etikett för verktyget i handen</translation>
+    </message>
+    <message>
+        <source>A word of your own under which the tool is listed</source>
+        <translation>Ett eget ord som verktyget visas under</translation>
+    </message>
+    <message>
+        <source>add tag, label</source>
+        <translation>lägg till etikett, tagg</translation>
+    </message>
 </context>
 <context>
     <name>FolderFacts</name>
@@ -3207,6 +3358,14 @@
     <message>
         <source>The keys of Photoshop, where it has the same command</source>
         <translation>Photoshops kortkommandon, där Photoshop har samma kommando</translation>
+    </message>
+    <message>
+        <source>Pastoso</source>
+        <translation>Pastoso</translation>
+    </message>
+    <message>
+        <source>Krita&apos;s keys, but for short ones of what only wet paint has</source>
+        <translation>Kritas kortkommandon, men korta för det som bara våt färg har</translation>
     </message>
 </context>
 <context>
@@ -4375,6 +4534,25 @@
     <message>
         <source>A clear coat over the whole painting that is looked through, and changes no paint</source>
         <translation>Ett klart skikt över hela målningen som man ser igenom och som inte ändrar någon färg</translation>
+    </message>
+    <message>
+        <source>ΔE is how far two colours differ to the eye: 1 is seen side by side, 2 to 3 at a second look</source>
+        <translation>ΔE är hur mycket två kulörer skiljer sig för ögat: 1 syns sida vid sida, 2 till 3 vid en andra blick</translation>
+    </message>
+    <message>
+        <source>D65, D50 and A are the lights that colours are measured in everywhere: daylight, the light of print booths, and a light bulb</source>
+        <translation>D65, D50 och A är de ljus som kulörer mäts i överallt: dagsljus, ljuset där tryck granskas, och en glödlampa</translation>
+    </message>
+    <message>
+        <source>A soft proof shows on the screen how the painting would be printed; the gamut warning shows what this printer cannot print</source>
+        <translation>Skärmkorrekturen visar på skärmen hur målningen skulle tryckas; omfångsvarningen visar vad den skrivaren inte kan trycka</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::appearance::UnitBox</name>
+    <message>
+        <source>&quot;%1&quot; is not understood here; the number stays as it was.</source>
+        <translation>”%1” går inte att förstå här; talet förblir som det var.</translation>
     </message>
 </context>
 <context>
@@ -5644,10 +5822,6 @@
         <translation>Måla &amp;om det finare...</translation>
     </message>
     <message>
-        <source>All strokes once more, on finer cells, beside the painting on the easel</source>
-        <translation>Alla penseldrag en gång till, på finare celler, bredvid målningen på staffliet</translation>
-    </message>
-    <message>
         <source>Soft &amp;proof</source>
         <translation>Skärm&amp;korrektur</translation>
     </message>
@@ -6271,6 +6445,302 @@
         <source>Make the edge of the selection soft, so that paint fades out there</source>
         <translation>Gör markeringens kant mjuk, så att färgen tonar ut där</translation>
     </message>
+    <message>
+        <source>All strokes once more, finer, beside the painting on the easel</source>
+        <translation>Alla penseldrag en gång till, finare, bredvid målningen på staffliet</translation>
+    </message>
+    <message>
+        <source>save incremental, iteration</source>
+        <translation>spara stegvis, inkrementell</translation>
+    </message>
+    <message>
+        <source>png, jpeg, tiff, save as a picture</source>
+        <translation>png, jpeg, tiff, spara som bild</translation>
+    </message>
+    <message>
+        <source>replay, playback</source>
+        <translation>spela upp</translation>
+    </message>
+    <message>
+        <source>video, mp4, speed painting</source>
+        <translation>video, film, mp4</translation>
+    </message>
+    <message>
+        <source>upscale, higher resolution, enlarge</source>
+        <translation>skala upp, högre upplösning, förstora</translation>
+    </message>
+    <message>
+        <source>copy visible, copy flattened</source>
+        <translation>kopiera synligt</translation>
+    </message>
+    <message>
+        <source>resize image, resolution, dpi</source>
+        <translation>ändra bildstorlek, upplösning, dpi</translation>
+    </message>
+    <message>
+        <source>resize canvas, extend, expand</source>
+        <translation>ändra dukens storlek, utöka</translation>
+    </message>
+    <message>
+        <source>trim to selection</source>
+        <translation>trimma till markeringen</translation>
+    </message>
+    <message>
+        <source>flip</source>
+        <translation>vänd, spegelvänd</translation>
+    </message>
+    <message>
+        <source>straighten</source>
+        <translation>räta upp, rotera</translation>
+    </message>
+    <message>
+        <source>brush size, smaller</source>
+        <translation>penselstorlek, mindre</translation>
+    </message>
+    <message>
+        <source>brush size, larger, bigger</source>
+        <translation>penselstorlek, större</translation>
+    </message>
+    <message>
+        <source>dip, load</source>
+        <translation>doppa, ladda</translation>
+    </message>
+    <message>
+        <source>rinse, wash, smudge, blend</source>
+        <translation>skölj, tvätta, gnid ut</translation>
+    </message>
+    <message>
+        <source>dilute, water, thinner, solvent</source>
+        <translation>späd, vatten, förtunning</translation>
+    </message>
+    <message>
+        <source>quick menu, radial menu</source>
+        <translation>snabbmeny, radialmeny</translation>
+    </message>
+    <message>
+        <source>eyedropper, colour picker, color picker, pipette</source>
+        <translation>pipett, färgväljare</translation>
+    </message>
+    <message>
+        <source>eyedropper, color picker, pipette</source>
+        <translation>pipett, färgväljare</translation>
+    </message>
+    <message>
+        <source>brush settings, brush studio, brush engine</source>
+        <translation>penselinställningar</translation>
+    </message>
+    <message>
+        <source>bundle, brush set, resources</source>
+        <translation>bunt, penselsamling</translation>
+    </message>
+    <message>
+        <source>dryer, fast dry, dry layer</source>
+        <translation>hårtork, snabbtorka</translation>
+    </message>
+    <message>
+        <source>mixing palette, mixer, scratchpad</source>
+        <translation>blandningspalett, palett</translation>
+    </message>
+    <message>
+        <source>bucket, flood fill</source>
+        <translation>färghink, fyllning</translation>
+    </message>
+    <message>
+        <source>bucket, background fill</source>
+        <translation>färghink, bakgrund</translation>
+    </message>
+    <message>
+        <source>imprimatura, background, gesso</source>
+        <translation>imprimatur, bakgrund, gesso</translation>
+    </message>
+    <message>
+        <source>import layer, insert image, place image</source>
+        <translation>importera lager, infoga bild</translation>
+    </message>
+    <message>
+        <source>delete layer</source>
+        <translation>ta bort lager, radera</translation>
+    </message>
+    <message>
+        <source>free transform, scale, rotate, distort, perspective, skew, move tool</source>
+        <translation>fri omvandling, skala, rotera, förvräng, perspektiv, skeva</translation>
+    </message>
+    <message>
+        <source>saturation, hsv, colour balance, color balance</source>
+        <translation>mättnad, färgbalans</translation>
+    </message>
+    <message>
+        <source>merge visible, merge all</source>
+        <translation>slå ihop synliga</translation>
+    </message>
+    <message>
+        <source>folder, quick group</source>
+        <translation>mapp, snabbgrupp</translation>
+    </message>
+    <message>
+        <source>alpha lock, lock transparency</source>
+        <translation>alfalås, lås transparens</translation>
+    </message>
+    <message>
+        <source>clipping mask, clipping group, inherit alpha</source>
+        <translation>urklippsmask, ärv alfa</translation>
+    </message>
+    <message>
+        <source>marquee, rectangular selection</source>
+        <translation>rektangulär markering</translation>
+    </message>
+    <message>
+        <source>marquee, elliptical selection, oval, circle</source>
+        <translation>elliptisk markering, oval, cirkel</translation>
+    </message>
+    <message>
+        <source>freehand selection</source>
+        <translation>frihandsmarkering</translation>
+    </message>
+    <message>
+        <source>magic wand, automatic selection</source>
+        <translation>trollstav, automatisk markering</translation>
+    </message>
+    <message>
+        <source>magic wand, colour range, color range</source>
+        <translation>trollstav, färgintervall</translation>
+    </message>
+    <message>
+        <source>deselect, select none, select all</source>
+        <translation>avmarkera, markera allt</translation>
+    </message>
+    <message>
+        <source>inverse</source>
+        <translation>invertera, omvänd</translation>
+    </message>
+    <message>
+        <source>expand</source>
+        <translation>utvidga</translation>
+    </message>
+    <message>
+        <source>contract</source>
+        <translation>dra ihop</translation>
+    </message>
+    <message>
+        <source>soften, blur edge</source>
+        <translation>mjuk kant</translation>
+    </message>
+    <message>
+        <source>select opaque, alpha to selection</source>
+        <translation>markera opakt, alfa till markering</translation>
+    </message>
+    <message>
+        <source>frisket, liquid mask, drawing gum</source>
+        <translation>frisket, gummi, maskera</translation>
+    </message>
+    <message>
+        <source>frisket, stencil</source>
+        <translation>frisket, schablon</translation>
+    </message>
+    <message>
+        <source>frisket, stencil, protect</source>
+        <translation>frisket, schablon, skydda</translation>
+    </message>
+    <message>
+        <source>remove frisket</source>
+        <translation>ta bort frisket</translation>
+    </message>
+    <message>
+        <source>marching ants, display selection</source>
+        <translation>myrkrig, visa markering</translation>
+    </message>
+    <message>
+        <source>symmetry tool, multibrush</source>
+        <translation>symmetri, multipensel</translation>
+    </message>
+    <message>
+        <source>radial symmetry, multibrush, mandala</source>
+        <translation>radiell symmetri, multipensel, mandala</translation>
+    </message>
+    <message>
+        <source>assistant, straight line, drawing guide</source>
+        <translation>assistent, rak linje, ritguide</translation>
+    </message>
+    <message>
+        <source>assistant, drawing guide</source>
+        <translation>assistent, ritguide</translation>
+    </message>
+    <message>
+        <source>assistant, vanishing point</source>
+        <translation>assistent, flyktpunkt</translation>
+    </message>
+    <message>
+        <source>assistant, snapping</source>
+        <translation>assistent, fäst</translation>
+    </message>
+    <message>
+        <source>tracing paper, light table, template</source>
+        <translation>kalkerpapper, ljusbord, mall</translation>
+    </message>
+    <message>
+        <source>reference image, mood board</source>
+        <translation>referensbild, moodboard</translation>
+    </message>
+    <message>
+        <source>flip canvas</source>
+        <translation>vänd duken</translation>
+    </message>
+    <message>
+        <source>hide panels, canvas-only mode</source>
+        <translation>dölj paneler</translation>
+    </message>
+    <message>
+        <source>greyscale, grayscale, black and white, desaturate</source>
+        <translation>gråskala, svartvitt</translation>
+    </message>
+    <message>
+        <source>cmyk, print preview</source>
+        <translation>cmyk, utskriftsförhandsvisning</translation>
+    </message>
+    <message>
+        <source>brush library, presets</source>
+        <translation>penselbibliotek, förinställningar</translation>
+    </message>
+    <message>
+        <source>gravity, drips, canvas tilt</source>
+        <translation>tyngdkraft, droppar, lutning</translation>
+    </message>
+    <message>
+        <source>color wheel, colour selector, swatches</source>
+        <translation>färghjul, färgväljare, färgprov</translation>
+    </message>
+    <message>
+        <source>gloss, impasto, bump</source>
+        <translation>glans, impasto</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>översikt</translation>
+    </message>
+    <message>
+        <source>default layout, reset workspace</source>
+        <translation>standardlayout, återställ</translation>
+    </message>
+    <message>
+        <source>search actions</source>
+        <translation>sök åtgärder</translation>
+    </message>
+    <message>
+        <source>shortcuts, hotkeys, keyboard</source>
+        <translation>kortkommandon, genvägar, tangentbord</translation>
+    </message>
+    <message>
+        <source>preferences, configure, options, theme, language</source>
+        <translation>inställningar, alternativ, tema, språk</translation>
+    </message>
+    <message>
+        <source>stylus, pressure curve</source>
+        <translation>styluspenna, tryckkurva</translation>
+    </message>
+    <message>
+        <source>tutorial, getting started</source>
+        <translation>handledning, kom igång</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6485,6 +6955,10 @@
         <translation>En bild på %1 × %2 pixlar.
 %3</translation>
     </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>Det går också att skriva andra enheter: 50 cm, 20 in, 3000 px</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::CommandPalette</name>
@@ -6518,6 +6992,10 @@
     <message>
         <source>Copy the report</source>
         <translation>Kopiera rapporten</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
     </message>
 </context>
 <context>
@@ -6675,10 +7153,6 @@
         <translation> mm emellan</translation>
     </message>
     <message>
-        <source>Distance between two points of the surface; 0 is as far as the cells, or farther where the canvas is large</source>
-        <translation>Avståndet mellan två punkter på ytan; 0 är lika långt som mellan cellerna, eller längre om duken är stor</translation>
-    </message>
-    <message>
         <source>automatic</source>
         <translation>automatiskt</translation>
     </message>
@@ -6751,10 +7225,6 @@
         <translation> px/mm</translation>
     </message>
     <message>
-        <source>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
-        <translation>Celler per millimeter duk när den målas på nytt: fler ger finare färg och tar längre tid; 0 är som den målades</translation>
-    </message>
-    <message>
         <source>as it was painted</source>
         <translation>som den målades</translation>
     </message>
@@ -6769,6 +7239,18 @@
     <message>
         <source>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</source>
         <translation>1 är som fönstret målar, 2 dubbelt så bred och hög: finare, inte bara förstorad</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels</source>
+        <translation>Bildens bredd i pixlar</translation>
+    </message>
+    <message>
+        <source>Distance between two points of the surface; 0 is as far as the pixels, or farther where the canvas is large</source>
+        <translation>Avståndet mellan två punkter på ytan; 0 är lika långt som mellan pixlarna, eller längre om duken är stor</translation>
+    </message>
+    <message>
+        <source>Pixels in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
+        <translation>Pixlar per millimeter duk när den målas på nytt: fler ger finare färg och tar längre tid; 0 är som den målades</translation>
     </message>
 </context>
 <context>
@@ -6848,6 +7330,18 @@
         <source>Forget my own</source>
         <translation>Glöm mina egna</translation>
     </message>
+    <message>
+        <source>Set of keys</source>
+        <translation>Uppsättning kortkommandon</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Kommandon</translation>
+    </message>
+    <message>
+        <source>No command has such words or keys.</source>
+        <translation>Inget kommando har sådana ord eller tangenter.</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::LengthDialog</name>
@@ -6923,16 +7417,32 @@
         <translation>Det går också att skriva punkter per tum: 127 dpi</translation>
     </message>
     <message>
-        <source>Other units may be typed as well: 50 cm, 20 in</source>
-        <translation>Det går också att skriva andra enheter: 50 cm, 20 in</translation>
-    </message>
-    <message>
         <source>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</source>
         <translation>Den här datorn hinner med handen upp till %1 px/mm; det som är målat kan målas om finare.</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
         <translation>En bild på %1 × %2 pixlar, %3 dpi; upp till %4 MB minne när allt är vått.</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>Det går också att skriva andra enheter: 50 cm, 20 in, 3000 px</translation>
+    </message>
+    <message>
+        <source>Toned ground</source>
+        <translation>Tonad grund</translation>
+    </message>
+    <message>
+        <source>A dry coat of the paint in hand covers the whole canvas, on a layer of its own</source>
+        <translation>Ett torrt skikt av färgen i handen täcker hela duken, på ett eget lager</translation>
+    </message>
+    <message>
+        <source>0.02 mm tints the canvas, 0.1 mm covers it</source>
+        <translation>0,02 mm tonar duken, 0,1 mm täcker den</translation>
+    </message>
+    <message>
+        <source>Thickness of the toned ground</source>
+        <translation>Den tonade grundens tjocklek</translation>
     </message>
 </context>
 <context>
@@ -7002,6 +7512,10 @@
     <message>
         <source>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
         <translation>%1 × %2 pixlar, som tar omkring %3 GB minne; %4 GB är lediga. Penseldragen målas om bredvid målningen på staffliet, som förblir som den är.</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>Det går också att skriva punkter per tum: 127 dpi</translation>
     </message>
 </context>
 <context>
@@ -7078,10 +7592,6 @@
         <translation>Skala bilden</translation>
     </message>
     <message>
-        <source>Other units may be typed as well: 50 cm, 20 in</source>
-        <translation>Det går också att skriva andra enheter: 50 cm, 20 in</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -7112,6 +7622,10 @@
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
         <translation>En bild på %1 × %2 pixlar, %3 dpi; upp till %4 MB minne när allt är vått.</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>Det går också att skriva andra enheter: 50 cm, 20 in, 3000 px</translation>
     </message>
 </context>
 <context>
@@ -7493,12 +8007,12 @@
         <translation>Det som hamnar utanför duken torkas bort.</translation>
     </message>
     <message>
-        <source>Drag with Ctrl: a corner alone, or a side askew.</source>
-        <translation>Dra med Ctrl: ett hörn för sig, eller en sida på sned.</translation>
-    </message>
-    <message>
         <source>Corners</source>
         <translation>Hörn</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl: a corner alone, or a side askew. By keys: Tab chooses a corner, arrows move it, with Shift by ten pixels.</source>
+        <translation>Dra med Ctrl: ett hörn för sig, eller en sida på sned. Med tangenter: Tab väljer ett hörn, piltangenterna flyttar det, med Shift tio pixlar.</translation>
     </message>
 </context>
 <context>
@@ -7955,14 +8469,6 @@
         <translation>Stegets väg</translation>
     </message>
     <message>
-        <source>The longest way of a step, in cells: longer is faster and coarser</source>
-        <translation>Stegets längsta väg, i celler: längre är snabbare och grövre</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> celler</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>Siffror</translation>
     </message>
@@ -8105,6 +8611,10 @@
     <message>
         <source>How high above the tea the lip of the jug is</source>
         <translation>Hur högt över teet kannans pip är</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, against the finest detail of the liquid: longer is faster and coarser</source>
+        <translation>Stegets längsta väg, jämfört med vätskans finaste detalj: längre är snabbare och grövre</translation>
     </message>
 </context>
 <context>
@@ -8413,10 +8923,6 @@
         <translation>Glas</translation>
     </message>
     <message>
-        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
-        <translation>Celler längs varje sida i nästa glas: finare tar längre tid, med fjärde potensen; kulor stiger från 64</translation>
-    </message>
-    <message>
         <source>Drops that the next glass&apos; milk is made of</source>
         <translation>Droppar som mjölken i nästa glas består av</translation>
     </message>
@@ -8467,6 +8973,10 @@
     <message>
         <source>Fineness</source>
         <translation>Finhet</translation>
+    </message>
+    <message>
+        <source>Parts that each side of the next glass is divided into: twice as many take sixteen times as long; balls rise from 64 on</source>
+        <translation>Delar som varje sida i nästa glas delas i: dubbelt så många tar sexton gånger så lång tid; kulor stiger från 64</translation>
     </message>
 </context>
 <context>
@@ -9024,6 +9534,10 @@
         <source>The clipboard</source>
         <translation>Urklipp</translation>
     </message>
+    <message>
+        <source>What was dragged here</source>
+        <translation>Det som drogs hit</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>
@@ -9062,6 +9576,26 @@
     <message>
         <source>Leave them</source>
         <translation>Låt bli</translation>
+    </message>
+    <message>
+        <source>There is no picture in it that can be read.</source>
+        <translation>Det finns ingen bild i det som går att läsa.</translation>
+    </message>
+    <message>
+        <source>Pastoso</source>
+        <translation>Pastoso</translation>
+    </message>
+    <message>
+        <source>Each of the other files opens in a window of its own. Open %1 more windows?</source>
+        <translation>De andra filerna öppnas var och en i ett eget fönster. Öppna %1 fönster till?</translation>
+    </message>
+    <message>
+        <source>Open them</source>
+        <translation>Öppna dem</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
     </message>
 </context>
 <context>
@@ -9316,6 +9850,30 @@
         <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</source>
         <translation>Dra inuti för att flytta, i ett handtag för att skala, utanför för att vrida (Shift: stegvis), med Ctrl ett hörn eller en sida för sig. Enter verkställer, Esc avbryter.</translation>
     </message>
+    <message>
+        <source>No corner is chosen</source>
+        <translation>Inget hörn är valt</translation>
+    </message>
+    <message>
+        <source>Upper left corner</source>
+        <translation>Övre vänstra hörnet</translation>
+    </message>
+    <message>
+        <source>Upper right corner</source>
+        <translation>Övre högra hörnet</translation>
+    </message>
+    <message>
+        <source>Lower right corner</source>
+        <translation>Nedre högra hörnet</translation>
+    </message>
+    <message>
+        <source>Lower left corner</source>
+        <translation>Nedre vänstra hörnet</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3 mm</source>
+        <translation>%1 vid %2, %3 mm</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::LightChoice</name>
@@ -9500,12 +10058,12 @@
         <translation>Sparade %1: %2 × %3 pixlar.</translation>
     </message>
     <message>
-        <source>The painting on finer cells is still being written.</source>
-        <translation>Målningen på finare celler skrivs fortfarande.</translation>
-    </message>
-    <message>
         <source>Another question is open; answer it first.</source>
         <translation>En annan fråga är öppen; svara på den först.</translation>
+    </message>
+    <message>
+        <source>The finer painting is still being written.</source>
+        <translation>Den finare målningen skrivs fortfarande.</translation>
     </message>
 </context>
 <context>
@@ -9733,10 +10291,6 @@
         <translation>ungefär %1 kvar</translation>
     </message>
     <message>
-        <source>Painted again on %1 px/mm</source>
-        <translation>Målas om med %1 px/mm</translation>
-    </message>
-    <message>
         <source>How much is painted</source>
         <translation>Hur mycket som är målat</translation>
     </message>
@@ -9773,16 +10327,20 @@
         <translation>Stäng</translation>
     </message>
     <message>
-        <source>The painting on finer cells is in no file yet. Throw it away?</source>
-        <translation>Målningen på finare celler finns inte i någon fil än. Kasta den?</translation>
-    </message>
-    <message>
         <source>It is not painted to its end yet. Give it up?</source>
         <translation>Den är inte färdigmålad än. Ge upp?</translation>
     </message>
     <message>
         <source>Finished</source>
         <translation>Klart</translation>
+    </message>
+    <message>
+        <source>Painted again at %1 px/mm</source>
+        <translation>Målas om med %1 px/mm</translation>
+    </message>
+    <message>
+        <source>The finer painting is in no file yet. Throw it away?</source>
+        <translation>Den finare målningen finns inte i någon fil än. Kasta den?</translation>
     </message>
 </context>
 <context>
@@ -10208,8 +10766,8 @@
 <context>
     <name>pastoso::main::ViewCommands</name>
     <message>
-        <source>Canvas %1 × %2 mm, %3 cells a millimetre</source>
-        <translation>Duk %1 × %2 mm, %3 celler per millimeter</translation>
+        <source>Canvas %1 × %2 mm, %3 pixels per millimetre</source>
+        <translation>Duk %1 × %2 mm, %3 pixlar per millimeter</translation>
     </message>
 </context>
 <context>
@@ -10350,30 +10908,6 @@
         <translation>Glidning</translation>
     </message>
     <message>
-        <source>How easily it slides over the canvas, in cells: more lets edges run on</source>
-        <translation>Hur lätt den glider över duken, i celler: mer låter kanterna rinna vidare</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> celler</translation>
-    </message>
-    <message>
-        <source>Profile against</source>
-        <translation>Profil mot flödet</translation>
-    </message>
-    <message>
-        <source>Alpha where surface tension pulls against the flow: less slows the front of a drip, which gets thicker and rounder</source>
-        <translation>Alfa där ytspänningen drar mot flödet: mindre bromsar fronten på en rinning, som blir tjockare och rundare</translation>
-    </message>
-    <message>
-        <source>Profile along</source>
-        <translation>Profil med flödet</translation>
-    </message>
-    <message>
-        <source>Alpha where surface tension pulls with the flow: more speeds up the tail of a drip, which gets thinner</source>
-        <translation>Alfa där ytspänningen drar med flödet: mer skyndar på svansen på en rinning, som blir tunnare</translation>
-    </message>
-    <message>
         <source>Dry after</source>
         <translation>Torr efter</translation>
     </message>
@@ -10480,10 +11014,6 @@
     <message>
         <source>long</source>
         <translation>lång</translation>
-    </message>
-    <message>
-        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
-        <translation>Från färg som bryter tvärt till färg som flyter ut i kanterna och i långa rinningar: vinkeln den breder ut sig vid, profilen och flytindex</translation>
     </message>
     <message>
         <source>opaque</source>
@@ -10941,6 +11471,34 @@
         <source>Snaps within</source>
         <translation>Fäster inom</translation>
     </message>
+    <message>
+        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the front and tail of drips, and the flow index</source>
+        <translation>Från färg som bryter tvärt till färg som flyter ut i kanterna och i långa rinningar: vinkeln den breder ut sig vid, rinningens front och svans, och flytindex</translation>
+    </message>
+    <message>
+        <source>How easily it slides over the canvas, in pixels of the painting: more lets edges run on</source>
+        <translation>Hur lätt den glider över duken, i pixlar i målningen: mer låter kanterna rinna vidare</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Front of drips</source>
+        <translation>Rinningens front</translation>
+    </message>
+    <message>
+        <source>How fast a drip goes at its front, where surface tension holds it back: less makes it thicker and rounder there</source>
+        <translation>Hur fort en rinning går vid sin front, där ytspänningen håller emot: mindre gör den tjockare och rundare där</translation>
+    </message>
+    <message>
+        <source>Tail of drips</source>
+        <translation>Rinningens svans</translation>
+    </message>
+    <message>
+        <source>How fast a drip follows at its tail, where surface tension draws it along: more makes it thinner there</source>
+        <translation>Hur fort en rinning följer efter vid sin svans, där ytspänningen drar den med sig: mer gör den tunnare där</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::AidsPart</name>
@@ -11089,6 +11647,22 @@
     <message>
         <source>My own</source>
         <translation>Mina egna</translation>
+    </message>
+    <message>
+        <source>No tool has such a name.</source>
+        <translation>Inget verktyg heter så.</translation>
+    </message>
+    <message>
+        <source>Tools that you mark with a star are listed here.</source>
+        <translation>Verktyg som du märker med en stjärna visas här.</translation>
+    </message>
+    <message>
+        <source>Tools that you have taken are listed here, the latest first.</source>
+        <translation>Verktyg som du har tagit visas här, det senaste först.</translation>
+    </message>
+    <message>
+        <source>Tools that you save as your own are listed here.</source>
+        <translation>Verktyg som du sparar som egna visas här.</translation>
     </message>
 </context>
 <context>
@@ -11878,6 +12452,10 @@ Tangenter: pilarna flyttar den, Home ställer tillbaka den.</translation>
     <message>
         <source>Add the mixes and the palette of such a file</source>
         <translation>Lägg till blandningarna och paletten ur en sådan fil</translation>
+    </message>
+    <message>
+        <source>Paints that you keep are listed here, under names of your own.</source>
+        <translation>Färger som du behåller visas här, under namn som du själv ger dem.</translation>
     </message>
 </context>
 <context>

@@ -174,10 +174,6 @@
         <translation>「%1」不屬於以下任何一個：%2。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not one of krita and photoshop.</source>
-        <translation>「%1」不是 krita，也不是 photoshop。</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is the key of %2 already.</source>
         <translation>「%1」已經是 %2 的按鍵。</translation>
     </message>
@@ -384,10 +380,6 @@
     <message>
         <source>%1 triangles take %2 bytes, but the file has %3.</source>
         <translation>%1 個三角形需要 %2 位元組，但檔案有 %3 位元組。</translation>
-    </message>
-    <message>
-        <source>%1 would have %2 x %3 cells; at most %4 a side are possible.</source>
-        <translation>%1會有 %2 x %3 格；每邊最多 %4 格。</translation>
     </message>
     <message>
         <source>%1 x %2 cells need about %3; %4 of memory are free.</source>
@@ -928,10 +920,6 @@
     <message>
         <source>The box of liquid has %1 x %2 x %3 cells; each side may have 2 to %4.</source>
         <translation>液體的範圍有 %1 x %2 x %3 格；每邊可為 2 到 %4 格。</translation>
-    </message>
-    <message>
-        <source>The canvas is %1 x %2 cells, more than this graphics driver can show.</source>
-        <translation>畫布有 %1 x %2 格，超過這個圖形驅動程式能顯示的範圍。</translation>
     </message>
     <message>
         <source>The cells of the box of liquid are %1 m wide, which is no size.</source>
@@ -3105,6 +3093,18 @@
         <source>there is more paint than is read, 4 GB.</source>
         <translation>顏料超過可讀取的量（4 GB）。</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not one of pastoso, krita and photoshop.</source>
+        <translation>「%1」不是 pastoso、krita，也不是 photoshop。</translation>
+    </message>
+    <message>
+        <source>%1 would have %2 x %3 pixels; at most %4 a side are possible.</source>
+        <translation>%1會有 %2 x %3 像素；每邊最多 %4 像素。</translation>
+    </message>
+    <message>
+        <source>The canvas is %1 x %2 pixels, more than this graphics driver can show.</source>
+        <translation>畫布有 %1 x %2 像素，超過這個圖形驅動程式能顯示的範圍。</translation>
+    </message>
 </context>
 <context>
     <name>ExamplePaintings</name>
@@ -3166,6 +3166,157 @@
         <source>Medium</source>
         <translation>媒材</translation>
     </message>
+    <message>
+        <source>Your mix</source>
+        <translation>你的混色</translation>
+    </message>
+</context>
+<context>
+    <name>FindableControls</name>
+    <message>
+        <source>Harmony</source>
+        <translation>色彩調和</translation>
+    </message>
+    <message>
+        <source>Marks for hues that go together, on the colour wheel</source>
+        <translation>在色輪上標出相配的色相</translation>
+    </message>
+    <message>
+        <source>complementary, analogous, triad, tetrad, colour scheme, color scheme</source>
+        <translation>互補色、類似色、三角配色、配色</translation>
+    </message>
+    <message>
+        <source>Gamut mask</source>
+        <translation>色域遮罩</translation>
+    </message>
+    <message>
+        <source>A shape on the colour wheel to choose within</source>
+        <translation>色輪上的一個形狀，只在其中選色</translation>
+    </message>
+    <message>
+        <source>limited palette, color mask</source>
+        <translation>限色、色域</translation>
+    </message>
+    <message>
+        <source>Keep on your palette</source>
+        <translation>保留到你的調色盤</translation>
+    </message>
+    <message>
+        <source>Lay the paint in hand out on your palette</source>
+        <translation>將手上的顏料放到你的調色盤</translation>
+    </message>
+    <message>
+        <source>swatch, add colour, add color</source>
+        <translation>色票、加入顏色</translation>
+    </message>
+    <message>
+        <source>Save the palette</source>
+        <translation>儲存調色盤</translation>
+    </message>
+    <message>
+        <source>The colours of your palette for GIMP, Krita or Inkscape, as a .gpl file</source>
+        <translation>將你的調色盤顏色存成 GIMP、Krita 或 Inkscape 用的 .gpl 檔案</translation>
+    </message>
+    <message>
+        <source>gpl, swatches, export palette</source>
+        <translation>gpl、色票、匯出調色盤</translation>
+    </message>
+    <message>
+        <source>Open a palette</source>
+        <translation>開啟調色盤</translation>
+    </message>
+    <message>
+        <source>Colours of GIMP, Krita or Inkscape, from a .gpl file</source>
+        <translation>從 .gpl 檔案取得 GIMP、Krita 或 Inkscape 的顏色</translation>
+    </message>
+    <message>
+        <source>gpl, swatches, import palette</source>
+        <translation>gpl、色票、匯入調色盤</translation>
+    </message>
+    <message>
+        <source>Palette from a picture</source>
+        <translation>從圖片取得調色盤</translation>
+    </message>
+    <message>
+        <source>Finds the colours that a picture is made of</source>
+        <translation>找出構成圖片的顏色</translation>
+    </message>
+    <message>
+        <source>extract, palette from image</source>
+        <translation>擷取顏色、照片取色</translation>
+    </message>
+    <message>
+        <source>Keep as a mix</source>
+        <translation>保留為混色</translation>
+    </message>
+    <message>
+        <source>Keep the paint in hand as a recipe of tubes, under a name of your own</source>
+        <translation>將手上的顏料以管裝顏料配方保留，並自行命名</translation>
+    </message>
+    <message>
+        <source>recipe, save colour, save color</source>
+        <translation>配方、儲存顏色</translation>
+    </message>
+    <message>
+        <source>Sets of tubes</source>
+        <translation>顏料組</translation>
+    </message>
+    <message>
+        <source>Which tubes are shown: all of them, or a set of yours</source>
+        <translation>顯示哪些顏料：全部，或你自己的一組</translation>
+    </message>
+    <message>
+        <source>tube sets, palette of tubes</source>
+        <translation>管裝顏料、顏料組合</translation>
+    </message>
+    <message>
+        <source>Tags of tools</source>
+        <translation>工具的標籤</translation>
+    </message>
+    <message>
+        <source>Which tools are listed: a family, favourites or a tag</source>
+        <translation>清單顯示哪些工具：一類、最愛或某個標籤</translation>
+    </message>
+    <message>
+        <source>tagged, collections, brush sets</source>
+        <translation>分類、筆刷組</translation>
+    </message>
+    <message>
+        <source>Snapping strength</source>
+        <translation>貼齊強度</translation>
+    </message>
+    <message>
+        <source>How far the guide draws the brush from where your hand is</source>
+        <translation>參考線把筆刷從手的位置拉過去多少</translation>
+    </message>
+    <message>
+        <source>magnetic, assistant strength</source>
+        <translation>吸附、輔助尺強度</translation>
+    </message>
+    <message>
+        <source>Squeeze out the last painting&apos;s palette</source>
+        <translation>擠出上一幅畫的調色盤</translation>
+    </message>
+    <message>
+        <source>The paints and mixtures of the earlier well, onto the mixing well</source>
+        <translation>把先前調色盤上的顏料與混色擠到調色槽上</translation>
+    </message>
+    <message>
+        <source>restore palette, palette of before</source>
+        <translation>還原調色盤、先前的調色盤</translation>
+    </message>
+    <message>
+        <source>New tag for the tool in hand</source>
+        <translation>為手上的工具新增標籤</translation>
+    </message>
+    <message>
+        <source>A word of your own under which the tool is listed</source>
+        <translation>你自己的詞，工具會列在它之下</translation>
+    </message>
+    <message>
+        <source>add tag, label</source>
+        <translation>加標籤、分類</translation>
+    </message>
 </context>
 <context>
     <name>FolderFacts</name>
@@ -3207,6 +3358,14 @@
     <message>
         <source>The keys of Photoshop, where it has the same command</source>
         <translation>有相同指令時，使用 Photoshop 的快速鍵</translation>
+    </message>
+    <message>
+        <source>Pastoso</source>
+        <translation>Pastoso</translation>
+    </message>
+    <message>
+        <source>Krita&apos;s keys, but for short ones of what only wet paint has</source>
+        <translation>Krita 的快速鍵，但濕顏料特有的操作用較短的鍵</translation>
     </message>
 </context>
 <context>
@@ -4375,6 +4534,25 @@
     <message>
         <source>A clear coat over the whole painting that is looked through, and changes no paint</source>
         <translation>覆蓋整幅畫的透明塗層，隔著它看，不改變任何顏料</translation>
+    </message>
+    <message>
+        <source>ΔE is how far two colours differ to the eye: 1 is seen side by side, 2 to 3 at a second look</source>
+        <translation>ΔE 是兩種顏色在肉眼看來的差異：1 並排才看得出，2 到 3 再看一眼就看得出</translation>
+    </message>
+    <message>
+        <source>D65, D50 and A are the lights that colours are measured in everywhere: daylight, the light of print booths, and a light bulb</source>
+        <translation>D65、D50 和 A 是各地測量顏色時使用的光：日光、看樣燈箱的光，以及燈泡的光</translation>
+    </message>
+    <message>
+        <source>A soft proof shows on the screen how the painting would be printed; the gamut warning shows what this printer cannot print</source>
+        <translation>軟打樣在螢幕上顯示畫作印出來的樣子；色域警告顯示這台印表機印不出的顏色</translation>
+    </message>
+</context>
+<context>
+    <name>pastoso::appearance::UnitBox</name>
+    <message>
+        <source>&quot;%1&quot; is not understood here; the number stays as it was.</source>
+        <translation>這裡看不懂「%1」；數值保持原樣。</translation>
     </message>
 </context>
 <context>
@@ -5644,10 +5822,6 @@
         <translation>重新繪製(&amp;I)...</translation>
     </message>
     <message>
-        <source>All strokes once more, on finer cells, beside the painting on the easel</source>
-        <translation>在畫架上的畫之外，以更細的格點重新繪製所有筆觸</translation>
-    </message>
-    <message>
         <source>Soft &amp;proof</source>
         <translation>軟打樣(&amp;P)</translation>
     </message>
@@ -6271,6 +6445,302 @@
         <source>Make the edge of the selection soft, so that paint fades out there</source>
         <translation>讓選取範圍的邊緣變柔，使顏料在那裡漸漸淡出</translation>
     </message>
+    <message>
+        <source>All strokes once more, finer, beside the painting on the easel</source>
+        <translation>在畫架上的畫之外，以更高的解析度重新繪製所有筆觸</translation>
+    </message>
+    <message>
+        <source>save incremental, iteration</source>
+        <translation>遞增儲存、另存版本</translation>
+    </message>
+    <message>
+        <source>png, jpeg, tiff, save as a picture</source>
+        <translation>png、jpeg、儲存成圖片</translation>
+    </message>
+    <message>
+        <source>replay, playback</source>
+        <translation>重播、播放</translation>
+    </message>
+    <message>
+        <source>video, mp4, speed painting</source>
+        <translation>影片、縮時攝影、mp4</translation>
+    </message>
+    <message>
+        <source>upscale, higher resolution, enlarge</source>
+        <translation>提高解析度、放大</translation>
+    </message>
+    <message>
+        <source>copy visible, copy flattened</source>
+        <translation>拷貝可見、合併拷貝</translation>
+    </message>
+    <message>
+        <source>resize image, resolution, dpi</source>
+        <translation>影像大小、解析度、dpi</translation>
+    </message>
+    <message>
+        <source>resize canvas, extend, expand</source>
+        <translation>畫布尺寸、擴展</translation>
+    </message>
+    <message>
+        <source>trim to selection</source>
+        <translation>修剪、裁切</translation>
+    </message>
+    <message>
+        <source>flip</source>
+        <translation>水平翻轉</translation>
+    </message>
+    <message>
+        <source>straighten</source>
+        <translation>拉直、旋轉</translation>
+    </message>
+    <message>
+        <source>brush size, smaller</source>
+        <translation>筆刷大小、縮小</translation>
+    </message>
+    <message>
+        <source>brush size, larger, bigger</source>
+        <translation>筆刷大小、放大</translation>
+    </message>
+    <message>
+        <source>dip, load</source>
+        <translation>沾顏料</translation>
+    </message>
+    <message>
+        <source>rinse, wash, smudge, blend</source>
+        <translation>清洗、塗抹</translation>
+    </message>
+    <message>
+        <source>dilute, water, thinner, solvent</source>
+        <translation>稀釋、水、溶劑</translation>
+    </message>
+    <message>
+        <source>quick menu, radial menu</source>
+        <translation>快速選單、輪盤</translation>
+    </message>
+    <message>
+        <source>eyedropper, colour picker, color picker, pipette</source>
+        <translation>滴管、吸管、選色</translation>
+    </message>
+    <message>
+        <source>eyedropper, color picker, pipette</source>
+        <translation>滴管、吸管、選色</translation>
+    </message>
+    <message>
+        <source>brush settings, brush studio, brush engine</source>
+        <translation>筆刷設定</translation>
+    </message>
+    <message>
+        <source>bundle, brush set, resources</source>
+        <translation>筆刷包、資源</translation>
+    </message>
+    <message>
+        <source>dryer, fast dry, dry layer</source>
+        <translation>吹風機、速乾</translation>
+    </message>
+    <message>
+        <source>mixing palette, mixer, scratchpad</source>
+        <translation>調色盤、混色盤</translation>
+    </message>
+    <message>
+        <source>bucket, flood fill</source>
+        <translation>油漆桶、填色</translation>
+    </message>
+    <message>
+        <source>bucket, background fill</source>
+        <translation>油漆桶、背景色</translation>
+    </message>
+    <message>
+        <source>imprimatura, background, gesso</source>
+        <translation>底色、背景、打底</translation>
+    </message>
+    <message>
+        <source>import layer, insert image, place image</source>
+        <translation>匯入圖層、置入圖片</translation>
+    </message>
+    <message>
+        <source>delete layer</source>
+        <translation>刪除圖層</translation>
+    </message>
+    <message>
+        <source>free transform, scale, rotate, distort, perspective, skew, move tool</source>
+        <translation>自由變形、縮放、旋轉、扭曲、透視</translation>
+    </message>
+    <message>
+        <source>saturation, hsv, colour balance, color balance</source>
+        <translation>飽和度、色彩平衡</translation>
+    </message>
+    <message>
+        <source>merge visible, merge all</source>
+        <translation>合併可見圖層</translation>
+    </message>
+    <message>
+        <source>folder, quick group</source>
+        <translation>資料夾、群組</translation>
+    </message>
+    <message>
+        <source>alpha lock, lock transparency</source>
+        <translation>鎖定透明、阿爾法鎖定</translation>
+    </message>
+    <message>
+        <source>clipping mask, clipping group, inherit alpha</source>
+        <translation>剪裁遮罩、繼承透明</translation>
+    </message>
+    <message>
+        <source>marquee, rectangular selection</source>
+        <translation>矩形選取、長方形</translation>
+    </message>
+    <message>
+        <source>marquee, elliptical selection, oval, circle</source>
+        <translation>橢圓選取、圓形</translation>
+    </message>
+    <message>
+        <source>freehand selection</source>
+        <translation>自由選取、套索</translation>
+    </message>
+    <message>
+        <source>magic wand, automatic selection</source>
+        <translation>魔術棒、自動選取</translation>
+    </message>
+    <message>
+        <source>magic wand, colour range, color range</source>
+        <translation>魔術棒、顏色範圍</translation>
+    </message>
+    <message>
+        <source>deselect, select none, select all</source>
+        <translation>取消選取、全選</translation>
+    </message>
+    <message>
+        <source>inverse</source>
+        <translation>反選</translation>
+    </message>
+    <message>
+        <source>expand</source>
+        <translation>擴張</translation>
+    </message>
+    <message>
+        <source>contract</source>
+        <translation>收縮</translation>
+    </message>
+    <message>
+        <source>soften, blur edge</source>
+        <translation>柔化邊緣</translation>
+    </message>
+    <message>
+        <source>select opaque, alpha to selection</source>
+        <translation>選取不透明</translation>
+    </message>
+    <message>
+        <source>frisket, liquid mask, drawing gum</source>
+        <translation>留白膠、遮罩液</translation>
+    </message>
+    <message>
+        <source>frisket, stencil</source>
+        <translation>紙膠帶、遮罩</translation>
+    </message>
+    <message>
+        <source>frisket, stencil, protect</source>
+        <translation>遮罩、保護</translation>
+    </message>
+    <message>
+        <source>remove frisket</source>
+        <translation>撕除、移除遮罩</translation>
+    </message>
+    <message>
+        <source>marching ants, display selection</source>
+        <translation>螞蟻線、顯示選取</translation>
+    </message>
+    <message>
+        <source>symmetry tool, multibrush</source>
+        <translation>對稱</translation>
+    </message>
+    <message>
+        <source>radial symmetry, multibrush, mandala</source>
+        <translation>放射對稱、曼陀羅</translation>
+    </message>
+    <message>
+        <source>assistant, straight line, drawing guide</source>
+        <translation>輔助尺、直線</translation>
+    </message>
+    <message>
+        <source>assistant, drawing guide</source>
+        <translation>輔助尺、平行線</translation>
+    </message>
+    <message>
+        <source>assistant, vanishing point</source>
+        <translation>輔助尺、消失點</translation>
+    </message>
+    <message>
+        <source>assistant, snapping</source>
+        <translation>輔助尺、吸附</translation>
+    </message>
+    <message>
+        <source>tracing paper, light table, template</source>
+        <translation>描圖紙、底稿</translation>
+    </message>
+    <message>
+        <source>reference image, mood board</source>
+        <translation>參考圖、靈感板</translation>
+    </message>
+    <message>
+        <source>flip canvas</source>
+        <translation>翻轉檢視</translation>
+    </message>
+    <message>
+        <source>hide panels, canvas-only mode</source>
+        <translation>隱藏面板</translation>
+    </message>
+    <message>
+        <source>greyscale, grayscale, black and white, desaturate</source>
+        <translation>灰階、黑白、明度</translation>
+    </message>
+    <message>
+        <source>cmyk, print preview</source>
+        <translation>cmyk、列印預覽</translation>
+    </message>
+    <message>
+        <source>brush library, presets</source>
+        <translation>筆刷庫、預設</translation>
+    </message>
+    <message>
+        <source>gravity, drips, canvas tilt</source>
+        <translation>重力、滴流、傾斜</translation>
+    </message>
+    <message>
+        <source>color wheel, colour selector, swatches</source>
+        <translation>色輪、色環、色票</translation>
+    </message>
+    <message>
+        <source>gloss, impasto, bump</source>
+        <translation>光澤、凹凸</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>總覽</translation>
+    </message>
+    <message>
+        <source>default layout, reset workspace</source>
+        <translation>預設版面、重設工作區</translation>
+    </message>
+    <message>
+        <source>search actions</source>
+        <translation>搜尋動作</translation>
+    </message>
+    <message>
+        <source>shortcuts, hotkeys, keyboard</source>
+        <translation>捷徑、快捷鍵</translation>
+    </message>
+    <message>
+        <source>preferences, configure, options, theme, language</source>
+        <translation>偏好設定、選項、主題、語言</translation>
+    </message>
+    <message>
+        <source>stylus, pressure curve</source>
+        <translation>觸控筆、筆壓</translation>
+    </message>
+    <message>
+        <source>tutorial, getting started</source>
+        <translation>教學、入門</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs</name>
@@ -6484,6 +6954,10 @@
         <translation>%1 × %2 像素的圖片。
 %3</translation>
     </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>也可以輸入其他單位：50 cm、20 in、3000 px</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::CommandPalette</name>
@@ -6517,6 +6991,10 @@
     <message>
         <source>Copy the report</source>
         <translation>複製報告</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>報告</translation>
     </message>
 </context>
 <context>
@@ -6674,10 +7152,6 @@
         <translation> mm 間距</translation>
     </message>
     <message>
-        <source>Distance between two points of the surface; 0 is as far as the cells, or farther where the canvas is large</source>
-        <translation>表面上兩點之間的距離；0 表示與格子間距相同，畫布較大時會更寬</translation>
-    </message>
-    <message>
         <source>automatic</source>
         <translation>自動</translation>
     </message>
@@ -6750,10 +7224,6 @@
         <translation> px/mm</translation>
     </message>
     <message>
-        <source>Cells in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
-        <translation>重畫時畫布每公釐的格數：越多越能呈現細緻的顏料，但也越花時間；0 表示與原作相同</translation>
-    </message>
-    <message>
         <source>as it was painted</source>
         <translation>與原作相同</translation>
     </message>
@@ -6768,6 +7238,18 @@
     <message>
         <source>1 as the window paints it, 2 twice as wide and high: finer, not merely enlarged</source>
         <translation>1 為視窗中繪製的大小，2 為寬高各兩倍：更精細，而不只是放大</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels</source>
+        <translation>圖片寬度（像素）</translation>
+    </message>
+    <message>
+        <source>Distance between two points of the surface; 0 is as far as the pixels, or farther where the canvas is large</source>
+        <translation>表面上兩點之間的距離；0 表示與像素間距相同，畫布較大時會更寬</translation>
+    </message>
+    <message>
+        <source>Pixels in a millimetre of the canvas that it is painted on once more: more show finer paint and take longer; 0 is as it was painted</source>
+        <translation>重畫時畫布每公釐的像素數：越多越能呈現細緻的顏料，但也越花時間；0 表示與原作相同</translation>
     </message>
 </context>
 <context>
@@ -6847,6 +7329,18 @@
         <source>Forget my own</source>
         <translation>清除自訂按鍵</translation>
     </message>
+    <message>
+        <source>Set of keys</source>
+        <translation>快速鍵組合</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>指令</translation>
+    </message>
+    <message>
+        <source>No command has such words or keys.</source>
+        <translation>沒有符合這些文字或按鍵的指令。</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::dialogs::LengthDialog</name>
@@ -6922,16 +7416,32 @@
         <translation>也可以輸入每英吋點數：127 dpi</translation>
     </message>
     <message>
-        <source>Other units may be typed as well: 50 cm, 20 in</source>
-        <translation>也可以輸入其他單位：50 cm、20 in</translation>
-    </message>
-    <message>
         <source>This machine keeps pace with the hand up to %1 px/mm; what is painted can be painted again finer.</source>
         <translation>這台電腦在 %1 px/mm 以內跟得上手的速度；畫好的可以再重新繪製得更細。</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
         <translation>%1 × %2 像素、%3 dpi 的圖片；全部都是濕顏料時，最多占用 %4 MB 記憶體。</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>也可以輸入其他單位：50 cm、20 in、3000 px</translation>
+    </message>
+    <message>
+        <source>Toned ground</source>
+        <translation>有色底</translation>
+    </message>
+    <message>
+        <source>A dry coat of the paint in hand covers the whole canvas, on a layer of its own</source>
+        <translation>用手上的顏料在獨立的圖層上鋪滿整張畫布，並且是乾的</translation>
+    </message>
+    <message>
+        <source>0.02 mm tints the canvas, 0.1 mm covers it</source>
+        <translation>0.02 mm 微微上色，0.1 mm 完全覆蓋</translation>
+    </message>
+    <message>
+        <source>Thickness of the toned ground</source>
+        <translation>有色底的厚度</translation>
     </message>
 </context>
 <context>
@@ -6998,6 +7508,10 @@
     <message>
         <source>%1 × %2 pixels, which take about %3 GB of memory; %4 GB are free. The strokes are painted again beside the painting on the easel, which stays as it is.</source>
         <translation>%1 × %2 像素，約需要 %3 GB 記憶體；可用 %4 GB。筆觸會另外重新繪製，畫架上的畫保持不變。</translation>
+    </message>
+    <message>
+        <source>Dots per inch may be typed as well: 127 dpi</source>
+        <translation>也可以輸入每英吋點數：127 dpi</translation>
     </message>
 </context>
 <context>
@@ -7074,10 +7588,6 @@
         <translation>縮放影像</translation>
     </message>
     <message>
-        <source>Other units may be typed as well: 50 cm, 20 in</source>
-        <translation>也可以輸入其他單位：50 cm、20 in</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -7108,6 +7618,10 @@
     <message>
         <source>A picture of %1 × %2 pixels, %3 dpi; up to %4 MB of memory when all of it is wet.</source>
         <translation>%1 × %2 像素、%3 dpi 的圖片；全部都是濕顏料時，最多占用 %4 MB 記憶體。</translation>
+    </message>
+    <message>
+        <source>Other units may be typed as well: 50 cm, 20 in, 3000 px</source>
+        <translation>也可以輸入其他單位：50 cm、20 in、3000 px</translation>
     </message>
 </context>
 <context>
@@ -7488,12 +8002,12 @@
         <translation>超出畫布的部分會被擦掉。</translation>
     </message>
     <message>
-        <source>Drag with Ctrl: a corner alone, or a side askew.</source>
-        <translation>按住 Ctrl 拖曳：單獨移動一個角，或讓一邊傾斜。</translation>
-    </message>
-    <message>
         <source>Corners</source>
         <translation>四角</translation>
+    </message>
+    <message>
+        <source>Drag with Ctrl: a corner alone, or a side askew. By keys: Tab chooses a corner, arrows move it, with Shift by ten pixels.</source>
+        <translation>按住 Ctrl 拖曳：單獨移動一個角，或讓一邊傾斜。用鍵盤：Tab 選一個角，方向鍵移動它，按住 Shift 一次十個像素。</translation>
     </message>
 </context>
 <context>
@@ -7950,14 +8464,6 @@
         <translation>每步距離</translation>
     </message>
     <message>
-        <source>The longest way of a step, in cells: longer is faster and coarser</source>
-        <translation>每步最長距離，以格計：越長越快也越粗</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> 格</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>數值</translation>
     </message>
@@ -8100,6 +8606,10 @@
     <message>
         <source>How high above the tea the lip of the jug is</source>
         <translation>壺嘴高於茶面多少</translation>
+    </message>
+    <message>
+        <source>The longest way of a step, against the finest detail of the liquid: longer is faster and coarser</source>
+        <translation>每步最長距離，與液體最細部分相比：越長越快也越粗</translation>
     </message>
 </context>
 <context>
@@ -8405,10 +8915,6 @@
         <translation>杯子</translation>
     </message>
     <message>
-        <source>Cells along each side of the next glass: finer takes longer, by the fourth power; balls rise from 64 on</source>
-        <translation>下一杯每邊的格數：越細越久，按四次方增加；64 起奶球才會上升</translation>
-    </message>
-    <message>
         <source>Drops that the next glass&apos; milk is made of</source>
         <translation>組成下一杯牛奶的奶滴數</translation>
     </message>
@@ -8459,6 +8965,10 @@
     <message>
         <source>Fineness</source>
         <translation>精細度</translation>
+    </message>
+    <message>
+        <source>Parts that each side of the next glass is divided into: twice as many take sixteen times as long; balls rise from 64 on</source>
+        <translation>下一杯每邊分成的份數：加倍時所需時間為十六倍；64 起奶球才會上升</translation>
     </message>
 </context>
 <context>
@@ -9015,6 +9525,10 @@
         <source>The clipboard</source>
         <translation>剪貼簿</translation>
     </message>
+    <message>
+        <source>What was dragged here</source>
+        <translation>拖到這裡的內容</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::DroppedFiles</name>
@@ -9053,6 +9567,26 @@
     <message>
         <source>Leave them</source>
         <translation>保持原狀</translation>
+    </message>
+    <message>
+        <source>There is no picture in it that can be read.</source>
+        <translation>其中沒有可讀取的圖片。</translation>
+    </message>
+    <message>
+        <source>Pastoso</source>
+        <translation>Pastoso</translation>
+    </message>
+    <message>
+        <source>Each of the other files opens in a window of its own. Open %1 more windows?</source>
+        <translation>其他檔案會各自在獨立的視窗中開啟。要再開啟 %1 個視窗嗎？</translation>
+    </message>
+    <message>
+        <source>Open them</source>
+        <translation>開啟</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>圖片</translation>
     </message>
 </context>
 <context>
@@ -9304,6 +9838,30 @@
         <source>Drag inside to move, a handle to scale, outside to turn (Shift: in steps), with Ctrl a corner or a side alone. Enter applies, Esc gives up.</source>
         <translation>在框內拖曳可移動，拖曳控制點可縮放，在框外拖曳可旋轉（Shift：依固定角度），按住 Ctrl 可單獨移動一角或一邊。Enter 套用，Esc 放棄。</translation>
     </message>
+    <message>
+        <source>No corner is chosen</source>
+        <translation>沒有選擇任何角</translation>
+    </message>
+    <message>
+        <source>Upper left corner</source>
+        <translation>左上角</translation>
+    </message>
+    <message>
+        <source>Upper right corner</source>
+        <translation>右上角</translation>
+    </message>
+    <message>
+        <source>Lower right corner</source>
+        <translation>右下角</translation>
+    </message>
+    <message>
+        <source>Lower left corner</source>
+        <translation>左下角</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3 mm</source>
+        <translation>%1：%2, %3 mm</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::main::LightChoice</name>
@@ -9487,12 +10045,12 @@
         <translation>已儲存 %1：%2 × %3 像素。</translation>
     </message>
     <message>
-        <source>The painting on finer cells is still being written.</source>
-        <translation>更細格點的畫仍在寫入。</translation>
-    </message>
-    <message>
         <source>Another question is open; answer it first.</source>
         <translation>還有其他問題未回答，請先回答。</translation>
+    </message>
+    <message>
+        <source>The finer painting is still being written.</source>
+        <translation>更精細的畫仍在寫入。</translation>
     </message>
 </context>
 <context>
@@ -9720,10 +10278,6 @@
         <translation>約剩 %1</translation>
     </message>
     <message>
-        <source>Painted again on %1 px/mm</source>
-        <translation>以 %1 px/mm 重新繪製</translation>
-    </message>
-    <message>
         <source>How much is painted</source>
         <translation>已繪製的比例</translation>
     </message>
@@ -9760,16 +10314,20 @@
         <translation>關閉</translation>
     </message>
     <message>
-        <source>The painting on finer cells is in no file yet. Throw it away?</source>
-        <translation>以更細格點繪製的畫尚未存入任何檔案。要捨棄嗎？</translation>
-    </message>
-    <message>
         <source>It is not painted to its end yet. Give it up?</source>
         <translation>尚未繪製完成。要放棄嗎？</translation>
     </message>
     <message>
         <source>Finished</source>
         <translation>完成</translation>
+    </message>
+    <message>
+        <source>Painted again at %1 px/mm</source>
+        <translation>以 %1 px/mm 重新繪製</translation>
+    </message>
+    <message>
+        <source>The finer painting is in no file yet. Throw it away?</source>
+        <translation>更精細的畫尚未存入任何檔案。要捨棄嗎？</translation>
     </message>
 </context>
 <context>
@@ -10189,8 +10747,8 @@
 <context>
     <name>pastoso::main::ViewCommands</name>
     <message>
-        <source>Canvas %1 × %2 mm, %3 cells a millimetre</source>
-        <translation>畫布 %1 × %2 mm，每毫米 %3 格</translation>
+        <source>Canvas %1 × %2 mm, %3 pixels per millimetre</source>
+        <translation>畫布 %1 × %2 mm，每公釐 %3 像素</translation>
     </message>
 </context>
 <context>
@@ -10331,30 +10889,6 @@
         <translation>滑移</translation>
     </message>
     <message>
-        <source>How easily it slides over the canvas, in cells: more lets edges run on</source>
-        <translation>在畫布上滑動的難易，以格為單位：數值越大，邊緣越能繼續流動</translation>
-    </message>
-    <message>
-        <source> cells</source>
-        <translation> 格</translation>
-    </message>
-    <message>
-        <source>Profile against</source>
-        <translation>逆流剖面係數</translation>
-    </message>
-    <message>
-        <source>Alpha where surface tension pulls against the flow: less slows the front of a drip, which gets thicker and rounder</source>
-        <translation>表面張力與流動方向相反時的 α 值：越小，垂流前端越慢，也越厚越圓</translation>
-    </message>
-    <message>
-        <source>Profile along</source>
-        <translation>順流剖面係數</translation>
-    </message>
-    <message>
-        <source>Alpha where surface tension pulls with the flow: more speeds up the tail of a drip, which gets thinner</source>
-        <translation>表面張力與流動方向相同時的 α 值：越大，垂流尾端越快，也越薄</translation>
-    </message>
-    <message>
         <source>Dry after</source>
         <translation>乾燥時間</translation>
     </message>
@@ -10461,10 +10995,6 @@
     <message>
         <source>long</source>
         <translation>長</translation>
-    </message>
-    <message>
-        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the profile and the flow index</source>
-        <translation>由俐落斷開的顏料到邊緣攤開、拖長流下的顏料：擴散角、流速剖面與流動指數</translation>
     </message>
     <message>
         <source>opaque</source>
@@ -10922,6 +11452,34 @@
         <source>Snaps within</source>
         <translation>貼齊範圍</translation>
     </message>
+    <message>
+        <source>From paint that breaks off sharply to paint that flows out at its edges and in long runs: the angle at which it spreads, the front and tail of drips, and the flow index</source>
+        <translation>由俐落斷開的顏料到邊緣攤開、拖長流下的顏料：擴散角、垂流前端與尾端、流動指數</translation>
+    </message>
+    <message>
+        <source>How easily it slides over the canvas, in pixels of the painting: more lets edges run on</source>
+        <translation>在畫布上滑動的難易，以畫作的像素為單位：數值越大，邊緣越能繼續流動</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Front of drips</source>
+        <translation>垂流前端</translation>
+    </message>
+    <message>
+        <source>How fast a drip goes at its front, where surface tension holds it back: less makes it thicker and rounder there</source>
+        <translation>垂流前端受表面張力拉住時的前進速度：越小，前端越厚越圓</translation>
+    </message>
+    <message>
+        <source>Tail of drips</source>
+        <translation>垂流尾端</translation>
+    </message>
+    <message>
+        <source>How fast a drip follows at its tail, where surface tension draws it along: more makes it thinner there</source>
+        <translation>垂流尾端受表面張力帶動時的跟隨速度：越大，尾端越薄</translation>
+    </message>
 </context>
 <context>
     <name>pastoso::panels::AidsPart</name>
@@ -11070,6 +11628,22 @@
     <message>
         <source>My own</source>
         <translation>自己的</translation>
+    </message>
+    <message>
+        <source>No tool has such a name.</source>
+        <translation>沒有這個名稱的工具。</translation>
+    </message>
+    <message>
+        <source>Tools that you mark with a star are listed here.</source>
+        <translation>標上星號的工具會列在這裡。</translation>
+    </message>
+    <message>
+        <source>Tools that you have taken are listed here, the latest first.</source>
+        <translation>拿過的工具會列在這裡，最近的在最前面。</translation>
+    </message>
+    <message>
+        <source>Tools that you save as your own are listed here.</source>
+        <translation>存為自己的工具會列在這裡。</translation>
     </message>
 </context>
 <context>
@@ -11858,6 +12432,10 @@ Keys: arrows move it, Home puts it back.</source>
     <message>
         <source>Add the mixes and the palette of such a file</source>
         <translation>加入這種檔案中的混色與調色盤</translation>
+    </message>
+    <message>
+        <source>Paints that you keep are listed here, under names of your own.</source>
+        <translation>保留下來的顏料會以你取的名稱列在這裡。</translation>
     </message>
 </context>
 <context>
