@@ -88,7 +88,8 @@ void DockHeights::fit(Side side) {
     std::vector<tools::LengthWish> wishes;
     QList<QDockWidget*> docks;
     int room_px = 0;
-    for (const PanelTabs& tabs : read_docks(window_).at(side).tabs) {
+    const tools::PanelArrangement standing = read_docks(window_);
+    for (const PanelTabs& tabs : standing.at(side).tabs) {
         const std::optional<int> share = share_of(tabs);
         if (!share) return;
         wishes.push_back({*share, needed_by(tabs)});

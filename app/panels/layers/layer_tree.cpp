@@ -58,7 +58,7 @@ QSize LayerTree::minimumSizeHint() const {
 }
 
 QSize LayerTree::sizeHint() const {
-    constexpr int kFewestRows = 3;
+    constexpr int kFewestRows = 2;
     return {QTreeView::sizeHint().width(),
             std::max(kFewestRows, shown_rows()) * kLayerRow + 2 * frameWidth()};
 }
