@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <QApplication>
+#include <QCursor>
 #include <QEnterEvent>
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -117,13 +118,16 @@ void CanvasView::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
 }
 
+/// A pointer that did not move has not come: what lay over the canvas was closed.
 void CanvasView::enterEvent(QEnterEvent* event) {
-    if (window()->isActiveWindow()) setFocus(Qt::MouseFocusReason);
+    const bool comes = left_at_ != event->globalPosition().toPoint();
+    if (comes && window()->isActiveWindow()) setFocus(Qt::MouseFocusReason);
     move_pointer(event->position());
     refresh();
 }
 
 void CanvasView::leaveEvent(QEvent*) {
+    left_at_ = QCursor::pos();
     forget_pointer();
 }
 

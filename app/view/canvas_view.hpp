@@ -220,6 +220,7 @@ class CanvasView : public QWidget, private screen::ScreenHost {
     Qt::KeyboardModifiers touch_modifiers_;
     QTimer holding_;  ///< while one finger waits
     std::optional<QPointF> pointer_;
+    std::optional<QPoint> left_at_;  ///< where on the desktop it was last
 
     MaskingSkin masking_skin_;
     SelectionOutline selection_outline_;

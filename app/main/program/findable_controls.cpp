@@ -78,9 +78,12 @@ void unfold_around(const QWidget& control) {
         if (auto* fold = qobject_cast<panels::Fold*>(around)) fold->open(true);
 }
 
+/// Up and down alone.
 void scroll_to(QWidget& control) {
+    constexpr int kAround_px = 50;
     for (QWidget* around = control.parentWidget(); around != nullptr; around = around->parentWidget())
-        if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(&control);
+        if (auto* area = qobject_cast<QScrollArea*>(around))
+            area->ensureWidgetVisible(&control, 0, kAround_px);
 }
 
 dialogs::Offer offer_of(const Control& control, const QDockWidget& dock, QAction* show_panel) {

@@ -53,8 +53,10 @@ LayerTree::LayerTree(QWidget* parent) : QTreeView(parent) {
     connect(&model_, &QAbstractItemModel::modelReset, this, &LayerTree::unfold);
 }
 
+/// To a row as high as the view Qt does not scroll down.
 QSize LayerTree::minimumSizeHint() const {
-    return {QTreeView::minimumSizeHint().width(), kLayerRow + 2 * frameWidth()};
+    constexpr int kHigher_px = 2;
+    return {QTreeView::minimumSizeHint().width(), kLayerRow + kHigher_px + 2 * frameWidth()};
 }
 
 QSize LayerTree::sizeHint() const {
