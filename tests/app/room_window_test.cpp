@@ -6,6 +6,7 @@
 #include "main/program/language.hpp"
 #include "main/window_parts.hpp"
 #include "panels/paint/paint_panel.hpp"
+#include "panels/parts/fold.hpp"
 #include "panels/parts/gallery.hpp"
 #include "panels/parts/tool_bar.hpp"
 #include "panels/pen/brush_list.hpp"
@@ -139,6 +140,23 @@ TEST_F(RoomWindow, FitsASmallScreenInEveryLanguage) {
             EXPECT_LE(area->widget()->width(), area->viewport()->width());
             expect_nothing_cut(*area->widget());
         }
+    }
+}
+
+TEST_F(RoomWindow, WhatIsUnfoldedFitsItsPanel) {
+    for (const char* language : kLanguages) {
+        SCOPED_TRACE(language);
+        open_small(language);
+        action(Command::ColourPanel)->trigger();
+        const auto folds = window().findChildren<panels::Fold*>();
+        ASSERT_FALSE(folds.isEmpty());
+        for (panels::Fold* fold : folds)
+            fold->open(true);
+        QApplication::processEvents();
+        for (const QScrollArea* area : window().findChildren<QScrollArea*>())
+            if (area->isVisible() && !area->visibleRegion().isEmpty()) {
+                EXPECT_LE(area->widget()->width(), area->viewport()->width());
+            }
     }
 }
 

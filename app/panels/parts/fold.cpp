@@ -2,6 +2,8 @@
 
 #include "panels/parts/section.hpp"
 
+#include <algorithm>
+
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -35,6 +37,11 @@ Fold::Fold(const QString& name, const QString& words, const QString& hint, QWidg
 
 void Fold::open(bool open) {
     button_->setChecked(open);
+}
+
+QSize Fold::minimumSizeHint() const {
+    const QSize least = QWidget::minimumSizeHint();
+    return {std::max(least.width(), column_->totalMinimumSize().width()), least.height()};
 }
 
 bool Fold::is_open() const {

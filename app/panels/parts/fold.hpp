@@ -20,6 +20,9 @@ class Fold : public QWidget {
     void open(bool open);
     bool is_open() const;
 
+    /// Folded it is as wide as open, so that nobody has to make room for it.
+    QSize minimumSizeHint() const override;
+
   private:
     QToolButton* button_;
     QVBoxLayout* column_;
