@@ -73,9 +73,12 @@ UnitBox::UnitBox(Reader reader, const QString& name, const QString& suffix, QWid
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] { before_typing_.reset(); });
 }
 
+QString UnitBox::typed_in(const QString& text) const {
+    return (text.endsWith(suffix()) ? text.chopped(suffix().size()) : text).trimmed();
+}
+
 std::optional<double> UnitBox::read(const QString& text) const {
-    const QString typed = text.endsWith(suffix()) ? text.chopped(suffix().size()) : text;
-    const QString words = typed.trimmed().toLower();
+    const QString words = typed_in(text).toLower();
     if (const auto pixels = px_per_mm_ ? read_pixels(words, locale()) : std::nullopt)
         return *pixels / px_per_mm_();
     return reader_(words, locale());
@@ -107,7 +110,8 @@ void UnitBox::fixup(QString& text) const {
 
 /// Once the keyboard is where it goes: its way hides what is shown.
 void UnitBox::tell_refused(const QString& text) const {
-    const QString words = tr("\"%1\" is not understood here; the number stays as it was.").arg(text);
+    const QString words =
+        tr("\"%1\" is not understood here; the number stays as it was.").arg(typed_in(text));
     const auto show = [box = lineEdit(), words] {
         QToolTip::showText(box->mapToGlobal(QPoint(0, box->height())), words, box);
     };

@@ -34,6 +34,7 @@ class UnitBox : public QDoubleSpinBox {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    QString typed_in(const QString& text) const;
     std::optional<double> read(const QString& text) const;
     bool begins_as_number(const QString& text) const;
     void tell_refused(const QString& text) const;

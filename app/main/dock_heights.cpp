@@ -20,7 +20,7 @@ using tools::PanelTabs;
 using tools::Side;
 
 /// Those of which it is known how much they hold.
-constexpr const char* kModest[] = {"layers_panel", "easel_panel"};
+constexpr const char* kModest[] = {"layers_panel"};
 
 QDockWidget* dock_named(const QMainWindow& window, const std::string& name) {
     return window.findChild<QDockWidget*>(QString::fromStdString(name), Qt::FindDirectChildrenOnly);
@@ -96,7 +96,9 @@ void DockHeights::fit(Side side) {
         docks.push_back(dock_named(window_, tabs.panels[tabs.raised]));
         room_px += tabs.length_px + names_height_px(window_, tabs);
     }
-    if (docks.size() < 2) return;
+    const bool knows_one =
+        std::ranges::any_of(wishes, [](const auto& wish) { return wish.needed_px.has_value(); });
+    if (docks.size() < 2 || !knows_one) return;
     const std::vector<int> lengths = tools::shared_lengths(wishes, room_px);
     window_.resizeDocks(docks, {lengths.begin(), lengths.end()}, Qt::Vertical);
 }

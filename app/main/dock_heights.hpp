@@ -14,8 +14,9 @@ class QMainWindow;
 namespace pastoso::main {
 
 /// As long as it follows an arrangement, heights are its shares of a side, whenever the window is shown
-/// or has another size and when there are more or fewer layers; but the layers and the easel take no
-/// more than what they hold. The painter who drags a border between panels has them as he likes.
+/// or has another size and when there are more or fewer layers; but the layers take no more than what
+/// they hold. A side without them is left alone. The painter who drags a border between panels has them
+/// as he likes.
 class DockHeights : public QObject {
     Q_OBJECT
   public:
