@@ -19,8 +19,8 @@ namespace {
 using tools::PanelTabs;
 using tools::Side;
 
-/// Those of which it is known how much they hold.
-constexpr const char* kModest[] = {"layers_panel"};
+/// Of which it is known how much it holds.
+constexpr const char* kLayers = "layers_panel";
 
 QDockWidget* dock_named(const QMainWindow& window, const std::string& name) {
     return window.findChild<QDockWidget*>(QString::fromStdString(name), Qt::FindDirectChildrenOnly);
@@ -114,10 +114,8 @@ std::optional<int> DockHeights::share_of(const PanelTabs& tabs) const {
 
 /// Nothing: it is unknown, so that it takes what there is.
 std::optional<int> DockHeights::needed_by(const PanelTabs& tabs) const {
-    for (const std::string& name : tabs.panels)
-        if (std::ranges::find(kModest, name) != std::end(kModest))
-            return dock_named(window_, name)->sizeHint().height() + names_height_px(window_, tabs);
-    return {};
+    if (std::ranges::find(tabs.panels, kLayers) == tabs.panels.end()) return {};
+    return dock_named(window_, kLayers)->sizeHint().height() + names_height_px(window_, tabs);
 }
 
 }  // namespace pastoso::main

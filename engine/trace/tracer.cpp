@@ -159,23 +159,23 @@ struct PathTracer::State {
     /// Finds out whether a tile is clean, and adds to its outlines: once, or all they need where nobody
     /// looks again.
     void look_at(std::size_t tile, std::uint64_t& rays) {
-        is_clean[tile] = errors_of(tile).tile.error() < kCleanError ? 1 : 0;
-        bool is_short = true;
-        for (int round = 0; is_short && round < (is_clean[tile] != 0 ? kMostOutlineRounds : 1); ++round)
-            is_short = add_to_outlines(tile, rays);
+        TileErrors errors = errors_of(tile);
+        is_clean[tile] = errors.tile.error() < kCleanError ? 1 : 0;
+        const int rounds = is_clean[tile] != 0 ? kMostOutlineRounds : 1;
+        for (int round = 0; round < rounds && add_to_outlines(tile, errors, rays); ++round)
+            errors = errors_of(tile);
     }
 
     /// Whether there was an outline that needed it.
-    bool add_to_outlines(std::size_t tile, std::uint64_t& rays) {
-        const BlockSamples more = missing_samples(tile);
+    bool add_to_outlines(std::size_t tile, const TileErrors& errors, std::uint64_t& rays) {
+        const BlockSamples more = missing_samples(tile, errors);
         for_tile(tile, [&](int x, int y) { add_samples(x, y, more[block_of(x, y)], rays); });
         for (int block = 0; block < kBlocks; ++block)
             outline_samples[tile][block] += more[block];
         return std::any_of(more.begin(), more.end(), [](int samples) { return samples > 0; });
     }
 
-    BlockSamples missing_samples(std::size_t tile) const {
-        const TileErrors errors = errors_of(tile);
+    BlockSamples missing_samples(std::size_t tile, const TileErrors& errors) const {
         BlockSamples missing{};
         for_tile(tile, [&](int x, int y) {
             const int block = block_of(x, y);

@@ -2,7 +2,7 @@
 #include "document/error_of.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
-#include "document/player.hpp"
+#include "document/played.hpp"
 #include "document/scenes.hpp"
 #include "layers/apart.hpp"
 
@@ -164,13 +164,10 @@ TEST_F(CopyingPaint, ARecordingReplaysToTheSameBits) {
     recording.end_tick = 60;
     const auto hash_on = [](const Recording& what, int threads) {
         core::ThreadPool other(threads);
-        Painting again(what.canvas, other);
-        Player player(again, what);
-        while (!player.finished())
-            player.play_tick();
-        EXPECT_LT(again.account().volume_error_rel(), kRounding);
-        EXPECT_EQ(again.layers().layers.size(), 2U);
-        return again.state_hash();
+        const auto again = played(what, other);
+        EXPECT_LT(again->account().volume_error_rel(), kRounding);
+        EXPECT_EQ(again->layers().layers.size(), 2U);
+        return again->state_hash();
     };
     EXPECT_EQ(hash_on(recording, 1), hash_on(recording, 3));
     recording.canvas.px_per_mm = 4.5;
@@ -192,17 +189,14 @@ TEST_F(CopyingPaint, ARecordingPastesTheSamePieceAtAnyResolution) {
     for (const int px_per_mm : {3, 4, 7}) {
         const int p = px_per_mm;
         recording.canvas.px_per_mm = px_per_mm;
-        Painting again(recording.canvas, pool);
-        Player player(again, recording);
-        while (!player.finished())
-            player.play_tick();
-        ASSERT_EQ(again.layers().active, 1U);
-        again.apply(CopyPaint{again.layers().layers[1].id});
-        EXPECT_EQ(layers::painted_area(*again.snapshot().copied),
+        const auto again = played(recording, pool);
+        ASSERT_EQ(again->layers().active, 1U);
+        again->apply(CopyPaint{again->layers().layers[1].id});
+        EXPECT_EQ(layers::painted_area(*again->snapshot().copied),
                   (grid::Rect{22 * p, 11 * p, 32 * p, 26 * p}));
         // The film and a piece of it; cells hold whole quanta.
-        EXPECT_NEAR(again.account().canvas.volume_mm3, 0.2 * (16.0 * 15.0 + 10.0 * 15.0), 1e-4) << p;
-        EXPECT_LT(again.account().volume_error_rel(), kRounding);
+        EXPECT_NEAR(again->account().canvas.volume_mm3, 0.2 * (16.0 * 15.0 + 10.0 * 15.0), 1e-4) << p;
+        EXPECT_LT(again->account().volume_error_rel(), kRounding);
     }
 }
 

@@ -2,7 +2,7 @@
 #include "document/error_of.hpp"
 #include "document/painting.hpp"
 #include "document/painting_state.hpp"
-#include "document/player.hpp"
+#include "document/played.hpp"
 #include "document/scenes.hpp"
 
 #include <gmock/gmock.h>
@@ -124,15 +124,12 @@ TEST_F(SelectionChanges, ARecordingFindsTheSameColourAtAnyResolution) {
     for (const int px_per_mm : {3, 4, 7}) {
         const int p = px_per_mm;
         recording.canvas.px_per_mm = px_per_mm;
-        Painting again(recording.canvas, pool);
-        Player player(again, recording);
-        while (!player.finished())
-            player.play_tick();
-        EXPECT_EQ(grid::chosen_area(*selection_of(again)), (grid::Rect{4 * p, 4 * p, 12 * p, 20 * p}));
-        EXPECT_NEAR(selected_mm2(again), 8.0 * 16.0, 1e-9) << "all of the field, at " << p;
-        again.apply(SelectSimilarColour{.x_mm = 8, .y_mm = 10, .connected = false});
-        EXPECT_EQ(grid::chosen_area(*selection_of(again)), (grid::Rect{4 * p, 4 * p, 34 * p, 20 * p}));
-        EXPECT_NEAR(selected_mm2(again), 2 * 8.0 * 16.0, 1e-9) << "both blue ones, at " << p;
+        const auto again = played(recording, pool);
+        EXPECT_EQ(grid::chosen_area(*selection_of(*again)), (grid::Rect{4 * p, 4 * p, 12 * p, 20 * p}));
+        EXPECT_NEAR(selected_mm2(*again), 8.0 * 16.0, 1e-9) << "all of the field, at " << p;
+        again->apply(SelectSimilarColour{.x_mm = 8, .y_mm = 10, .connected = false});
+        EXPECT_EQ(grid::chosen_area(*selection_of(*again)), (grid::Rect{4 * p, 4 * p, 34 * p, 20 * p}));
+        EXPECT_NEAR(selected_mm2(*again), 2 * 8.0 * 16.0, 1e-9) << "both blue ones, at " << p;
     }
 }
 

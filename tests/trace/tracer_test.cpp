@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -73,30 +75,27 @@ TEST(PathTracer, SeekingTheLampGivesTheSameMeanWhereNoGlassGathersLight) {
     EXPECT_LT(reference.error, 0.02 * reference.mean);
 }
 
-TEST(PathTracer, PassesAddUpToTheBitsOfOnePass) {
+void expect_bits_of_one_pass(const std::vector<int>& passes) {
+    const int all = std::accumulate(passes.begin(), passes.end(), 0);
     const Scene scene = tests::busy_glass();
     core::ThreadPool pool(1);
     PathTracer at_once(scene, tests::small_picture(24), pool);
     PathTracer in_passes(scene, tests::small_picture(24), pool);
-    at_once.add_samples(7);
-    for (const int count : {1, 0, 4, 2})
+    at_once.add_samples(all);
+    for (const int count : passes)
         in_passes.add_samples(count);
     EXPECT_EQ(at_once.radiance(), in_passes.radiance());
     EXPECT_EQ(at_once.denoised(), in_passes.denoised());
     EXPECT_EQ(at_once.rays(), in_passes.rays());
-    EXPECT_EQ(in_passes.samples(), 7);
+    EXPECT_EQ(in_passes.samples(), all);
+}
+
+TEST(PathTracer, PassesAddUpToTheBitsOfOnePass) {
+    expect_bits_of_one_pass({1, 0, 4, 2});
 }
 
 TEST(PathTracer, LooksAtTilesDoNotDependOnPasses) {
-    const Scene scene = tests::busy_glass();
-    core::ThreadPool pool(1);
-    PathTracer at_once(scene, tests::small_picture(24), pool);
-    PathTracer in_passes(scene, tests::small_picture(24), pool);
-    at_once.add_samples(27);
-    for (const int count : {15, 3, 9})
-        in_passes.add_samples(count);
-    EXPECT_EQ(at_once.radiance(), in_passes.radiance());
-    EXPECT_EQ(at_once.rays(), in_passes.rays());
+    expect_bits_of_one_pass({15, 3, 9});
 }
 
 TEST(PathTracer, OutlinesGetSamplesBesidesAtALook) {

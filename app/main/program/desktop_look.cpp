@@ -71,17 +71,18 @@ void DesktopLook::hear(const QDBusMessage& change) {
 
 void DesktopLook::take(const QString& of, const QString& key, const QVariant& value) {
     const QVariant bare = bared(value);
-    if (of == kAppearance && key == kContrast)
-        take_contrast(bare.toUInt() == kHighContrast, high_theme_);
-    else if (of == kInterface && key == kTheme)
-        take_contrast(high_contrast_, bare.toString().startsWith(kHighTheme));
-    else if (of == kInterface && key == kTextScale)
+    if (of == kAppearance && key == kContrast) {
+        high_contrast_ = bare.toUInt() == kHighContrast;
+        tell_contrast();
+    } else if (of == kInterface && key == kTheme) {
+        high_theme_ = bare.toString().startsWith(kHighTheme);
+        tell_contrast();
+    } else if (of == kInterface && key == kTextScale) {
         if (const std::optional<double> scale = text_scale(bare)) Q_EMIT text_scale_told(*scale);
+    }
 }
 
-void DesktopLook::take_contrast(bool high_contrast, bool high_theme) {
-    high_contrast_ = high_contrast;
-    high_theme_ = high_theme;
+void DesktopLook::tell_contrast() {
     Q_EMIT contrast_told(high_contrast_ || high_theme_);
 }
 

@@ -34,7 +34,7 @@ class DesktopLook : public QObject {
 
   private:
     void take(const QString& of, const QString& key, const QVariant& value);
-    void take_contrast(bool high_contrast, bool high_theme);
+    void tell_contrast();
     void ask(const QString& of, const QString& key);
 
     QDBusConnection bus_;

@@ -38,7 +38,7 @@ class LayerTree : public QTreeView {
 
     /// One row is seen where there is no room for more.
     QSize minimumSizeHint() const override;
-    /// As high as its rows, and a few more than one where there are no more.
+    /// As high as its rows, two of them at least.
     QSize sizeHint() const override;
 
   Q_SIGNALS:
